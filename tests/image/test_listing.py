@@ -23,7 +23,7 @@ LISTING = """\
 .robot {robot}
 .tick 20
 .wait-unit 100
-.inputs 6
+.inputs 7
 .variables 4
 .counters 1
 .temporaries 0
@@ -37,49 +37,54 @@ LISTING = """\
 .cell 1          ; 4: input 3
 .cell 1          ; 5: input 4
 .cell 1          ; 6: input 5
-.cell 0          ; 7: variable 0
-.cell 50         ; 8: variable 1
-.cell 1          ; 9: variable 2
-.cell 0          ; 10: variable 3
-.cell 0          ; 11: counter 0
-.cell 2          ; 12: constant 0
-.cell 5          ; 13: constant 1
-.cell 1          ; 14: constant 2
-.cell 0          ; 15: constant 3
+.cell 1          ; 7: input 6
+.cell 0          ; 8: variable 0
+.cell 50         ; 9: variable 1
+.cell 1          ; 10: variable 2
+.cell 0          ; 11: variable 3
+.cell 0          ; 12: counter 0
+.cell 2          ; 13: constant 0
+.cell 5          ; 14: constant 1
+.cell 1          ; 15: constant 2
+.cell 0          ; 16: constant 3
 .slot - 0 0 2  ; 0: parallel, entry, marked, end
 .slot 0 11 1 2  ; 1: parallel, entry, marked, end
 .parallel 0 1 2  ; 0: parent, first, end
-.stop 1 5  ; 0: slot, command
+.stop 1 7  ; 0: slot, command
 .command 0  ; 0: actuator
 .command 0  ; 1: actuator
 .command 0  ; 2: actuator
-.command 1  ; 3: actuator
-.command 1  ; 4: actuator
+.command 0  ; 3: actuator
+.command 0  ; 4: actuator
 .command 1  ; 5: actuator
-.command 2  ; 6: actuator
-.command 2  ; 7: actuator
-.command 3  ; 8: actuator
-.command 3  ; 9: actuator
-.command 4  ; 10: actuator
-.command 4  ; 11: actuator
-.command 5  ; 12: actuator
-.command 5  ; 13: actuator
-.command 5  ; 14: actuator
-.command 5  ; 15: actuator
+.command 1  ; 6: actuator
+.command 1  ; 7: actuator
+.command 1  ; 8: actuator
+.command 1  ; 9: actuator
+.command 2  ; 10: actuator
+.command 2  ; 11: actuator
+.command 3  ; 12: actuator
+.command 3  ; 13: actuator
+.command 4  ; 14: actuator
+.command 4  ; 15: actuator
+.command 5  ; 16: actuator
+.command 5  ; 17: actuator
+.command 5  ; 18: actuator
+.command 5  ; 19: actuator
 .code
-    MOV   11 12          ; 0
-    WAIT  13             ; 1
-    SUB   11 11 14       ; 2
-    CLAMP 11 15 12       ; 3
-    JZ    11 6           ; 4
+    MOV   12 13          ; 0
+    WAIT  14             ; 1
+    SUB   12 12 15       ; 2
+    CLAMP 12 16 13       ; 3
+    JZ    12 6           ; 4
     JMP   1              ; 5
-    JZ    9 10           ; 6
+    JZ    10 10          ; 6
     FORK  0              ; 7
     JOIN  0              ; 8
     JMP   6              ; 9
     END                  ; 10
     ARM   0              ; 11
-    ACT   3 13 1         ; 12
+    ACT   5 14 1         ; 12
     END                  ; 13
 """
 
