@@ -216,7 +216,7 @@ HELPS = [
     ("Captr.LessThan(3);", "did you mean Captor?"),
     ("Wheel.Advanced(5);", "did you mean Advance?"),
     ("[Button.IsPresed()]();", "did you mean IsPressed?"),
-    ("Wheel.Xyzzy();", "there is Advance, Reverse, Stop"),
+    ("Wheel.Xyzzy();", "there is Advance, BackBy, DriveBy, Reverse, Stop"),
     ("Light.Xyzzy();", "there is IsBlue, IsGreen, IsRed, LightOff, LightOn"),
     ("Wheel.Advance();", "write Wheel.Advance(speed)"),
     ("Motor.AbsoluteTurn(1);", "write Motor.AbsoluteTurn(angle, speed)"),
