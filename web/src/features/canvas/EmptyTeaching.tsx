@@ -1,6 +1,4 @@
 /** Under a new program: what to do first, four parts to begin with, and what other features add (tutorials, examples). */
-import { useEffect, useRef } from "react";
-
 import { PanelSlot } from "../../components/Slot";
 import { type Parts, type Shape, shortTitle } from "../../model/parts";
 import { firstSentence, text } from "../../model/texts";
@@ -37,22 +35,8 @@ export function EmptyTeaching({ drawing }: { drawing: Drawing }) {
   // The sheet for opening has the same.
   const choosing = useDocument((document) => document.overlay === "open");
   const start = drawing.structure.start?.id ?? "start";
-  const section = useRef<HTMLElement>(null);
-  useEffect(() => {
-    const all = section.current;
-    if (all === null) return;
-    // Pictures and tutorials come later and push down what has the focus: it stays in sight.
-    const watcher = new ResizeObserver(() => {
-      const { activeElement } = document;
-      if (all.contains(activeElement)) activeElement?.scrollIntoView({ block: "nearest" });
-    });
-    watcher.observe(all);
-    return () => {
-      watcher.disconnect();
-    };
-  }, []);
   return (
-    <section className="teaching" ref={section}>
+    <section className="teaching">
       <h2>{t("graph.first-step")}</h2>
       <p>{t("graph.first-help")}</p>
       <ul className="teaching-parts">

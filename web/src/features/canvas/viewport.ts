@@ -210,9 +210,6 @@ export function useViewport(root: RefObject<HTMLDivElement | null>, drawing: Dra
       const next = afterResize(camera.now(), was.width, size, now, was.whole);
       stood.current = { width: size.width, whole: next.whole };
       camera.jump(next.camera);
-      // What has the focus under an empty program stays in sight.
-      const { activeElement } = document;
-      if (activeElement?.closest(".teaching") != null) activeElement.scrollIntoView({ block: "nearest" });
     });
     watcher.observe(canvas);
     return () => {
