@@ -105,9 +105,9 @@ class Flash:
         return next(iter(self._blocks({sign}).values()), 0)
 
     @property
-    def has_freed(self) -> bool:
-        """Whether pieces are freed and not erased: the board tidies them up only when there are eight or more."""
-        return _FREED in self.area.firsts
+    def has_stuck(self) -> bool:
+        """Whether freed pieces share a page with others: the board tidies them up only when there are eight or more."""
+        return any(_FREED in pieces and not _is_empty(pieces) for _, pieces in self._pages())
 
     @property
     def room(self) -> int:
@@ -139,11 +139,16 @@ class Flash:
     def erase(self) -> None:
         """Erases the pages in which nothing is: the board writes a file into unused pieces only, wherever they are."""
         area = self.area
-        for page in range(0, len(area.firsts), _CHUNKS_A_PAGE):
-            pieces = area.firsts[page : page + _CHUNKS_A_PAGE]
-            if _FREED in pieces and all(first in (_FREED, _UNUSED) for first in pieces):
+        for page, pieces in self._pages():
+            if _FREED in pieces and _is_empty(pieces):
                 self.board.value(f"k({area.address(page)})")
                 area.firsts[page : page + _CHUNKS_A_PAGE] = [_UNUSED] * _CHUNKS_A_PAGE
+
+    def _pages(self) -> Iterator[tuple[int, list[int]]]:
+        """The place of the first piece of each page, and the first bytes of its pieces."""
+        firsts = self.area.firsts
+        for page in range(0, len(firsts), _CHUNKS_A_PAGE):
+            yield page, firsts[page : page + _CHUNKS_A_PAGE]
 
     def write(self, sign: int, content: bytes) -> int:
         """Writes a block, reads it back and makes it count; where it is.
@@ -189,6 +194,11 @@ class Flash:
 
     def _write(self, at: int, words: bytes) -> None:
         self.board.write_words(at, words)
+
+
+def _is_empty(pieces: Sequence[int]) -> bool:
+    """Whether nothing is in any of these pieces, by their first bytes."""
+    return all(first in (_FREED, _UNUSED) for first in pieces)
 
 
 def pieces(name: str, size: int) -> int:

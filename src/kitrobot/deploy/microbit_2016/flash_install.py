@@ -39,8 +39,7 @@ def freeze(board: Receiver, one: FlashBlock, retained: set[int], *, fresh: bool 
     if flash is None:
         raise unknown_firmware()
     flash.clear({one.sign, *retained})
-    flash.erase()
-    if flash.find(one.sign) is not None and not (fresh and flash.has_freed):
+    if flash.find(one.sign) is not None and not (fresh and flash.has_stuck):
         board.remove(_TEXT)
         return 0
     flash.refuse_less_than(max(len(text) + _size(functions) for text, functions in one.groups) + _NAMES)
