@@ -26,7 +26,7 @@ export function plain(words: string): string {
     .replace(/[يىكهة]/g, (letter) => ARABIC_FORMS[letter] ?? letter);
 }
 
-interface Known {
+interface SearchTerms {
   language: string;
   names: string[];
   /** The words of its names. */
@@ -36,9 +36,9 @@ interface Known {
   all: string;
 }
 
-const known = new WeakMap<Shape, Known>();
+const known = new WeakMap<Shape, SearchTerms>();
 
-function knownOf(shape: Shape): Known {
+function searchTermsOf(shape: Shape): SearchTerms {
   const language = languageInUse();
   const before = known.get(shape);
   if (before?.language === language) return before;
@@ -65,7 +65,7 @@ function begins(word: string, typed: string): boolean {
 export function rank(shape: Shape, query: string): number | null {
   const wanted = plain(query.trim());
   if (wanted === "") return 0;
-  const { names, own, given, all } = knownOf(shape);
+  const { names, own, given, all } = searchTermsOf(shape);
   if (names.some((name) => name.startsWith(wanted))) return 0;
   const typed = wanted.split(/\s+/);
   if (typed.every((one) => own.some((word) => begins(word, one)))) return 1;

@@ -102,7 +102,7 @@ export function sightsOf(world: World): Box {
   return sights;
 }
 
-interface Standing {
+interface RobotBody {
   x_mm: number;
   y_mm: number;
   length_mm: number;
@@ -114,7 +114,7 @@ interface Standing {
  *
  * @param been where robots have been, as far as anybody saw it.
  */
-export function subjectOf(world: World, robots: readonly Standing[], been: Box, whole: Camera): Box | null {
+export function subjectOf(world: World, robots: readonly RobotBody[], been: Box, whole: Camera): Box | null {
   if (robots.length === 0 || robots.length > CROWD || whole.scale * ROBOT_MM >= SEEN_WELL_PX) return null;
   return robots.reduce(
     (box, { x_mm, y_mm, length_mm }) => union(box, around(x_mm, y_mm, length_mm * BODY)),

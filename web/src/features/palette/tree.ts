@@ -40,9 +40,9 @@ function groupOf({ groups }: Parts, { constructor_, method, object }: Shape): Gr
 }
 
 /** What was typed may be found in a name, or only in a word. */
-interface Found {
+interface RankedShape {
   shape: Shape;
-  at: number;
+  rank: number;
 }
 
 const placeOf = ({ constructor_, method }: Shape): number => constructor_?.order ?? method?.order ?? LAST_PLACE;
@@ -56,14 +56,14 @@ function standsAlone(shape: Shape): boolean {
 
 export function tabsOf(parts: Parts, query: string): Tab[] {
   const searching = query.trim() !== "";
-  const byGroup = new Map<Group | undefined, Found[]>();
+  const byGroup = new Map<Group | undefined, RankedShape[]>();
   for (const shape of parts.all) {
-    const at = rank(shape, query);
-    if (at === null) continue;
+    const found = rank(shape, query);
+    if (found === null) continue;
     const group = groupOf(parts, shape);
-    byGroup.set(group, [...(byGroup.get(group) ?? []), { shape, at }]);
+    byGroup.set(group, [...(byGroup.get(group) ?? []), { shape, rank: found }]);
   }
-  const best = (group: Group | undefined) => Math.min(...(byGroup.get(group) ?? []).map(({ at }) => at));
+  const best = (group: Group | undefined) => Math.min(...(byGroup.get(group) ?? []).map(({ rank }) => rank));
   const groups: (Group | undefined)[] = [...parts.groups, undefined];
   if (searching) groups.sort((a, b) => (byGroup.has(a) && byGroup.has(b) ? best(a) - best(b) : 0));
   return groups.flatMap((group): Tab[] => {
@@ -87,11 +87,11 @@ export function rowOfPart(element: string): string {
 }
 
 /** What answers a search, the best first, each by its whole name. */
-function foundRows(found: Found[]): Row[] {
-  return [...found].sort((a, b) => a.at - b.at).map(({ shape }) => partRow(shape, title(shape), 1));
+function foundRows(found: RankedShape[]): Row[] {
+  return [...found].sort((a, b) => a.rank - b.rank).map(({ shape }) => partRow(shape, title(shape), 1));
 }
 
-function allRows(found: Found[]): Row[] {
+function allRows(found: RankedShape[]): Row[] {
   const shapes = found.map(({ shape }) => shape);
   const alone = shapes.filter(standsAlone).sort((a, b) => placeOf(a) - placeOf(b));
   const others = shapes.filter((shape) => !standsAlone(shape));

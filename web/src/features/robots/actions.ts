@@ -7,14 +7,14 @@ import {
   forgetAddress,
   forgetRefusal,
   forgetSteps,
-  type Given,
+  type SentProgram,
   isMine,
   kitFor,
   networkAddress,
   placesOf,
   programFor,
   rememberAddress,
-  setGiven,
+  setSentProgram,
   useBoards,
 } from "./boards";
 import { withKit } from "./kits";
@@ -23,7 +23,7 @@ import { agentAt, keepShown } from "./shown";
 import type { Board } from "./wire";
 
 /** What is open here, for the robot at that address. */
-function given(address: string): Given {
+function given(address: string): SentProgram {
   const { mission, file, activeProgram } = useStudio.getState();
   const names = mission.programs.map(({ name }) => name);
   const state = useBoards.getState();
@@ -31,10 +31,10 @@ function given(address: string): Given {
   return { path: file.path, program, kit: kitFor(state, address), mission };
 }
 
-function give(address: string): Given {
+function give(address: string): SentProgram {
   keepShown();
   const what = given(address);
-  setGiven(address, what);
+  setSentProgram(address, what);
   return what;
 }
 
@@ -68,7 +68,7 @@ function benchNow(address: string, way: Board["way"]): void {
   keepShown();
   const { path, program, kit, mission } = given(address);
   // What it had before is on it no more.
-  setGiven(address, null);
+  setSentProgram(address, null);
   send({ type: "bench", address, path, program, kit, mission, replace: way === "replace" });
 }
 

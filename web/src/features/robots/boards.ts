@@ -12,7 +12,7 @@ import type { Mission, Problem } from "../../model/types";
 import type { Board, BoardsMessage, Port, Steps, Team } from "./wire";
 
 /** What this page sent or greeted a robot with: later edits do not reach it. */
-export interface Given {
+export interface SentProgram {
   path: string;
   program: string;
   /** What the robot is built of; "" as its own file says. */
@@ -40,7 +40,7 @@ export interface BoardsState {
   steps: Record<string, Steps>;
   /** address → what the server last refused about it. */
   refused: Record<string, Refusal>;
-  given: Record<string, Given>;
+  given: Record<string, SentProgram>;
   /** address → program that is to go there. */
   chosen: Record<string, string>;
   /** address → kit that the robot there is built of, "" for what was chosen last. */
@@ -154,7 +154,7 @@ export function takeMessage(message: BoardsMessage): void {
 }
 
 /** That robot is given this, or with null nothing that we know; what it refused before holds no more. */
-export function setGiven(address: string, given: Given | null): void {
+export function setSentProgram(address: string, given: SentProgram | null): void {
   set((state) => {
     const others = without(state.given, address);
     // The newest stands last.

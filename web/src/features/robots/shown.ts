@@ -7,7 +7,7 @@
  */
 import { useStudio } from "../../model/studio";
 import { isLive, type RunAgent, useRun } from "../../session/run";
-import { type BoardsState, type Given, isMine, useBoards } from "./boards";
+import { type BoardsState, type SentProgram, isMine, useBoards } from "./boards";
 import { setRunning } from "./state";
 import type { Board } from "./wire";
 
@@ -23,12 +23,12 @@ export function isRunning(board: Board): boolean {
 }
 
 /** Whether both were given the same programs. */
-export function isAlike(a: Given, b: Given): boolean {
+export function isAlike(a: SentProgram, b: SentProgram): boolean {
   return (["programs", "constructors", "variables"] as const).every((part) => a.mission[part] === b.mission[part]);
 }
 
 /** The robots that are one run: those alike to the one that was given its program last of all that run. */
-export function runOf(state: BoardsState, path: string): { given: Given; boards: Board[] } | null {
+export function runOf(state: BoardsState, path: string): { given: SentProgram; boards: Board[] } | null {
   const shown = shownBoards(state, path);
   const running = new Set(shown.filter(isRunning).map(({ address }) => address));
   const last = Object.keys(state.given).findLast((address) => running.has(address)) ?? "";
