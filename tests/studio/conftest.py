@@ -20,7 +20,7 @@ from tests.studio.servers import ServedStudio, ServerThread
 from tests.studio.sites import PATH, FileServer, Visit
 from tests.studio.studio_page import EXAMPLES, HEIGHT, IS_OPEN, LOOKS, WIDTH, Studio, begin_new
 from tests.studio.studio_processes import MISSION, Server, Start
-from tests.studio.tabs import HANDS_MS, NOTHING, Tab, Tabs
+from tests.studio.tabs import HANDS_MS, KEEP_TEXT, NOTHING, Tab, Tabs
 from tools.chromium import FLAGS
 
 __all__ = ["EXAMPLES", "HEIGHT", "IS_OPEN", "LOOKS", "WIDTH", "ServerThread", "Studio", "begin_new"]
@@ -171,7 +171,9 @@ def visit(browser: Browser, server: FileServer) -> Iterator[Callable[..., Visit]
 
     def begin(**device: Any) -> Visit:
         words = {"viewport": {"width": WIDTH, "height": HEIGHT}, "reduced_motion": "reduce", **device}
-        visits.append(Visit(browser.new_context(**words)))
+        context = browser.new_context(**words)
+        context.add_init_script(KEEP_TEXT)
+        visits.append(Visit(context))
         return visits[-1]
 
     yield begin
@@ -210,6 +212,7 @@ def start(tmp_path: Path) -> Iterator[Start]:
 def context(browser: Browser) -> Iterator[BrowserContext]:
     """A window of the browser in which nothing was opened before."""
     context = browser.new_context(viewport={"width": WIDTH, "height": HEIGHT})
+    context.add_init_script(KEEP_TEXT)
     context.set_default_timeout(STATE_MS)
     yield context
     context.close()

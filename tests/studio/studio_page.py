@@ -41,11 +41,7 @@ class Studio:
     address: str = ""
 
     def at(self, testid: str) -> Locator:
-        """The element of that test id; the text comes back beside what runs when it is looked for."""
-        if testid in ("code", "code-editor"):
-            folded = self.page.locator('[data-testid="arena-text"][aria-pressed="false"]')
-            if folded.count() > 0 and folded.is_visible():
-                folded.click()
+        """The element of that test id."""
         return self.page.get_by_test_id(testid)
 
     def code(self) -> str:

@@ -16,6 +16,7 @@ from playwright.sync_api import Browser, Page, expect
 from tests.patience import PATIENCE_S, STATE_MS
 from tests.studio.conftest import HEIGHT, WIDTH
 from tests.studio.looks import find_nothing
+from tests.studio.tabs import KEEP_TEXT
 
 pytestmark = pytest.mark.browser
 
@@ -64,6 +65,7 @@ class Class:
         context = self._browser.new_context(
             viewport={"width": WIDTH, "height": HEIGHT}, reduced_motion="reduce", locale=language
         )
+        context.add_init_script(KEEP_TEXT)
         context.set_default_timeout(STATE_MS)
         page = context.new_page()
         page.on("pageerror", lambda error: self.faults.append(str(error)))
