@@ -66,11 +66,15 @@ class ModernBoard(NodeBoard):
         files: what its flash holds at power-on.
         port: of its serial line on loopback; 0 for any that is free.
         within: as of `NodeBoard`.
+        pace: how many times slower its clock goes than this computer's; a host that a busy computer keeps waiting is
+            then still in time for it.
     """
 
-    def __init__(self, files: dict[str, bytes] | None = None, port: int = 0, within: tuple[str, ...] = ()) -> None:
+    def __init__(
+        self, files: dict[str, bytes] | None = None, port: int = 0, within: tuple[str, ...] = (), pace: int = 1
+    ) -> None:
         held = {name: base64.b64encode(data).decode() for name, data in (files or {}).items()}
-        super().__init__(HERE / "board.mjs", micropython(), {"port": port, "files": held}, within)
+        super().__init__(HERE / "board.mjs", micropython(), {"port": port, "files": held, "pace": pace}, within)
 
     def deaf(self, on: bool) -> None:
         """Its host takes nothing any more of what it says, as one that keeps a USB port open and does not read."""

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import Locator, expect
+from playwright.sync_api import expect
 
 from tests.effort import cases
 from tests.studio.conftest import LOOKS, Studio
@@ -39,12 +39,6 @@ def place_of_button_b(studio: Studio) -> tuple[float, float]:
     return canvas["x"] + canvas["width"] / 2 + 24 * unit, canvas["y"] + canvas["height"] / 2 - 4 * unit
 
 
-def centre(locator: Locator) -> tuple[float, float]:
-    box = locator.bounding_box()
-    assert box is not None
-    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-
-
 def a_button_of_the_board_is_pressed_with_the_mouse_in_the_arena(studio: Studio) -> None:
     studio.page.mouse.move(*place_of_button_b(studio))
     expect(studio.at("arena-canvas")).to_have_css("cursor", "pointer")
@@ -74,14 +68,14 @@ def a_button_is_held_with_the_keyboard(studio: Studio, key: str) -> None:
 @pytest.mark.thorough("web/src/components/scene/boards.test.ts: a short press is held until the program has felt it")
 def test_a_finger_that_taps_shortly_is_felt(open_studio: OpenStudio) -> None:
     studio = running(open_studio, has_touch=True)
-    studio.page.touchscreen.tap(*centre(studio.at("hand-ButtonB")))
+    studio.at("hand-ButtonB").tap()
     studio.wait_until_done()
 
 
 def what_a_hand_did_stands_on_the_timeline_and_in_the_watch(studio: Studio) -> None:
     studio.at("watch-button").click()
     expect(studio.at("watch-ButtonA")).to_be_visible()
-    studio.page.mouse.move(*centre(studio.at("hand-ButtonA")))
+    studio.at("hand-ButtonA").hover()
     studio.page.mouse.down()
     expect(studio.at("watch-ButtonA")).to_have_attribute("data-forced", "true")
     studio.page.mouse.up()
@@ -154,7 +148,7 @@ def test_axe_finds_nothing_on_a_board(open_studio: OpenStudio, look: tuple[str, 
     find_nothing(studio, "before a run")
     studio.at("run-button").click()
     expect(studio.at("hand-ButtonA")).to_be_enabled()
-    studio.page.mouse.move(*centre(studio.at("hand-ButtonA")))
+    studio.at("hand-ButtonA").hover()
     studio.page.mouse.down()
     expect(studio.at("hand-ButtonA")).to_have_attribute("aria-pressed", "true")
     find_nothing(studio, "a button is held")

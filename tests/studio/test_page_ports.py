@@ -23,7 +23,9 @@ pytestmark = pytest.mark.browser
 DEPLOY_MS = 120_000
 """The emulator may be given little of a busy machine."""
 RUNNING = 2
-QUIET_S = 1.5
+PACE = 3
+"""Of the board's clock: a page that a busy computer keeps waiting is in time for a robot that is held."""
+QUIET_S = 1.5 * PACE
 """Longer than a held robot goes on without a word."""
 DRIVERS = {
     "display": "class Display:\n    def do(self, name, values):\n        pass\n    def stop(self):\n        pass\n",
@@ -47,7 +49,7 @@ def expect_stop_when_pulled(bridge: Bridge, address: str, robot: Locator) -> Non
 @contextmanager
 def pico() -> Iterator[str]:
     """A current MicroPython; its address."""
-    with ModernBoard({"lib/machine.py": onboard_files()["machine.py"]}) as board:
+    with ModernBoard({"lib/machine.py": onboard_files()["machine.py"]}, pace=PACE) as board:
         yield board.address
 
 

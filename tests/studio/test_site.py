@@ -134,7 +134,7 @@ def test_a_site_opens_a_link_keeps_what_is_saved_works_without_its_server_and_se
     expect(studio.at("banner")).to_contain_text("The mission in this link is damaged.")
     follow_link(studio, example("blink"), "blink")
     with (
-        ModernBoard({"lib/machine.py": onboard_files()["machine.py"]}) as board,
+        ModernBoard({"lib/machine.py": onboard_files()["machine.py"]}, pace=3) as board,
         Bridge(int(board.address.rsplit(":", 1)[1]), PICO) as bridge,
     ):
         a_board_is_chosen_sent_to_glows_and_is_stopped(studio, bridge)

@@ -36,7 +36,7 @@ def test_boards_are_sent_to_watched_stopped_and_tried_by_python_in_the_page(
     with (
         running() as board,
         Bridge(board.port) as bridge,
-        ModernBoard({"lib/machine.py": UNPLUGGED}) as other,
+        ModernBoard({"lib/machine.py": UNPLUGGED}, pace=3) as other,
         Bridge(int(other.address.rsplit(":", 1)[1]), PICO) as other_bridge,
     ):
         page = visit(bypass_csp=True).context.new_page()

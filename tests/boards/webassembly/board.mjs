@@ -1,6 +1,6 @@
 // A board on this computer: MicroPython for WebAssembly behind a TCP port on loopback, which is its serial line.
 //
-//     node board.mjs MICROPYTHON.mjs GIVEN.json       GIVEN: {port, files: {name: base64}}
+//     node board.mjs MICROPYTHON.mjs GIVEN.json       GIVEN: {port, files: {name: base64}, pace}
 //
 // Says {"address": "socket://127.0.0.1:PORT"} on standard output, then an answer to each line of standard input:
 // "cut" takes its power away, at once, whatever it does, and gives it back; "files" tells what its flash holds; "deaf" has
@@ -37,7 +37,7 @@ function powerUp() {
   ring = ringOf(new SharedArrayBuffer(RING_BYTES));
   waiting = [];
   const begun = new Worker(new URL("./interpreter.mjs", import.meta.url), {
-    workerData: { micropython, buffer: ring.buffer, files: [...flash] },
+    workerData: { micropython, buffer: ring.buffer, files: [...flash], pace: given.pace },
   });
   worker = begun;
   begun.on("message", (message) => {

@@ -128,6 +128,8 @@ export function EventStrip() {
   const run = useRun();
   const { events, seconds, tick, latest, tickMs, status, seek } = run;
   const box = useRef<HTMLDivElement>(null);
+  /** Where the last key led while tick `shown` was on the screen: the next key goes on from there. */
+  const sought = useRef<{ shown: number; target: number } | null>(null);
   const [width, setWidth] = useState(800);
   useLayoutEffect(() => {
     const element = box.current;
@@ -164,9 +166,11 @@ export function EventStrip() {
     if (past && event.currentTarget.hasPointerCapture(event.pointerId)) goTo(event);
   };
   const onKeyDown = (event: KeyboardEvent) => {
-    const target = past ? keyTarget(event.key, tick, latest, Math.round(1000 / tickMs)) : null;
+    const from = sought.current?.shown === tick ? sought.current.target : tick;
+    const target = past ? keyTarget(event.key, from, latest, Math.round(1000 / tickMs)) : null;
     if (target === null) return;
     event.preventDefault();
+    sought.current = { shown: tick, target };
     seek(target);
   };
   const marks = Array.from({ length: 7 }, (_, index) => index * step);
