@@ -1,5 +1,5 @@
 /** Lines of pens, made of their marks, and drawn plainly: round ends, as wide as they are, three px at least. */
-import type { PenMark } from "../../session/pen-marks";
+import { drawnByPens, type PenMark } from "../../session/pen-marks";
 import { toScreen } from "./camera";
 import type { Brush } from "./draw-world";
 
@@ -41,6 +41,15 @@ export function strokesOf(
     if (end !== undefined) stroke.points.push([end[0], end[1]]);
   }
   return strokes;
+}
+
+/** What the pens of the run drew so far; `poses`: where its agents are, in their order. */
+export function strokesOfRun(poses: readonly { x_mm: number; y_mm: number }[]): PenStroke[] {
+  const { marks, pens } = drawnByPens();
+  return strokesOf(marks, (pen) => {
+    const at = poses[pens[pen] ?? -1];
+    return at === undefined ? undefined : [at.x_mm, at.y_mm];
+  });
 }
 
 export function drawStrokes({ pen, camera, colours }: Brush, strokes: readonly PenStroke[]): void {

@@ -9,11 +9,10 @@ import { ROBOT_MM } from "../../../components/scene/geometry";
 import { LIDS } from "../../../components/scene/lids";
 import type { Layers } from "../../../components/scene/painter";
 import type { Scene, Seen } from "../../../components/scene/scene";
-import { PEN_COLOURS, type PenStroke, strokesOf } from "../../../components/scene/pen-strokes";
+import { PEN_COLOURS, type PenStroke, strokesOfRun } from "../../../components/scene/pen-strokes";
 import type { Area } from "../../../components/scene/tag-place";
 import { decimal } from "../../../i18n/numbers";
 import { useStudio } from "../../../model/studio";
-import { drawnByPens } from "../../../session/pen-marks";
 import { isLive, type RunState, useRun } from "../../../session/run";
 import { fontOf, token, useTheme } from "../../../theme";
 import type { Facts } from "./account";
@@ -151,23 +150,16 @@ export class StageLayers implements Layers {
     }
     const tagged = this.tag && this.on?.tag === true && isLive(useRun.getState().status);
     const watched = tagged ? seen.find(({ actor }) => actor.name === this.selected) : undefined;
-    const lines = this.drawnLines(seen);
+    const rays = this.rays.filter(({ ray, own }) => own && ray.ends);
+    // Words keep clear of what pens drew.
+    const lines = watched === undefined && rays.length === 0 ? [] : strokesOfRun(seen.map(({ pose }) => pose));
     // A board shows itself; what it senses changes all the time.
     this.tagArea =
       watched === undefined || watched.actor.face !== null
         ? null
         : drawTag(brush, scene, seen, watched, { awaited: this.awaited(watched), lines });
-    for (const { ray, own } of this.rays) if (own && ray.ends) this.label(brush, ray, lines);
+    for (const { ray } of rays) this.label(brush, ray, lines);
     return this.confetti.draw(brush);
-  }
-
-  /** What pens drew so far. */
-  private drawnLines(seen: readonly Seen[]): PenStroke[] {
-    const { marks, pens } = drawnByPens();
-    return strokesOf(marks, (pen) => {
-      const at = seen[pens[pen] ?? -1]?.pose;
-      return at === undefined ? undefined : [at.x_mm, at.y_mm];
-    });
   }
 
   private awaited({ actor }: Seen): ReadonlySet<string> {

@@ -3,8 +3,7 @@
  * seen or heard of them.
  */
 import { ARM_OUT, LAMP, MOVING, type PoseFrame } from "../../../api/wire";
-import { strokesOf } from "../../../components/scene/pen-strokes";
-import { drawnByPens } from "../../../session/pen-marks";
+import { strokesOfRun } from "../../../components/scene/pen-strokes";
 import { lastFrame, placesOfThings } from "../../../session/poses";
 import type { RunState } from "../../../session/run";
 import { useOpenExercise } from "../../../session/open-exercise";
@@ -38,12 +37,7 @@ export class RunDiary {
 
   facts(run: RunState, trails: Trails): Facts {
     const { agents, events, world, total, status } = run;
-    const { marks, pens } = drawnByPens();
-    const poses = lastFrame()?.poses ?? [];
-    const lines = strokesOf(marks, (pen) => {
-      const at = poses[pens[pen] ?? -1];
-      return at === undefined ? undefined : [at.x_mm, at.y_mm];
-    });
+    const lines = strokesOfRun(lastFrame()?.poses ?? []);
     const places = placesOfThings();
     const pushed = (world?.things ?? []).filter(({ x_mm, y_mm }, at) => {
       const [x, y] = places[at] ?? [x_mm, y_mm];

@@ -1,5 +1,5 @@
 /** Keeps what the pens of the run drew so far as a file. */
-import { strokesOf } from "../../../components/scene/pen-strokes";
+import { strokesOfRun } from "../../../components/scene/pen-strokes";
 import { drawnByPens } from "../../../session/pen-marks";
 import { posesAt } from "../../../session/poses";
 import { useRun } from "../../../session/run";
@@ -13,11 +13,6 @@ export function hasDrawn(): boolean {
 export function saveDrawing(floor: boolean): void {
   const { world, name } = useRun.getState();
   if (world === null) return;
-  const { marks, pens } = drawnByPens();
-  const poses = posesAt(performance.now(), false)?.poses;
-  const strokes = strokesOf(marks, (pen) => {
-    const pose = poses?.[pens[pen] ?? -1];
-    return pose === undefined ? undefined : [pose.x_mm, pose.y_mm];
-  });
+  const strokes = strokesOfRun(posesAt(performance.now(), false)?.poses ?? []);
   download(`${name || "drawing"}.svg`, drawingSvg(strokes, world, floor), "image/svg+xml");
 }
