@@ -19,6 +19,7 @@ import type { Mission, Problem } from "../model/types";
 import { forgetMarks, takeMarks } from "./pen-marks";
 import { clearFrames, pushFrame } from "./poses";
 import type { RunAgent, RunState, RunStatus } from "./run-state";
+import { SeekQueue } from "./seek-queue";
 
 export type { RunAgent, RunState, RunStatus } from "./run-state";
 
@@ -174,20 +175,11 @@ export function isEnded(status: RunStatus): boolean {
   return status === "done" || status === "failed" || status === "stuck" || status === "time" || status === "end";
 }
 
-/** While the handle of the timeline is dragged, only the newest place is asked for, and one at a time. */
-let wanted: number | null = null;
-let seeking = false;
+const seeks = new SeekQueue((tick) => socket?.send({ type: "seek", tick }));
 
-function sendSeek(): void {
-  if (wanted === null) return;
-  socket?.send({ type: "seek", tick: wanted });
-  wanted = null;
-  seeking = true;
-}
-
-function sought(): void {
-  seeking = false;
-  sendSeek();
+/** The tick that the run is on its way to, or the one it is at. */
+export function targetTick({ tick }: Pick<RunState, "tick">): number {
+  return seeks.target ?? tick;
 }
 
 /** Of more agents than this the server reports only those that are looked at. */
@@ -207,8 +199,7 @@ export function isOurs(run: string): boolean {
 }
 
 function hangUp(): void {
-  wanted = null;
-  seeking = false;
+  seeks.clear();
   early = [];
   socket?.close();
   socket = null;
@@ -230,7 +221,7 @@ function connect(mission: Mission, request: RunRequest): void {
         sendLook(useRun.getState());
         early.splice(0).forEach(steer);
       }
-      if (seeking && message.type === "tick") sought();
+      if (message.type === "tick") seeks.answer();
       if (
         message.type === "problems" ||
         (message.type === "error" && (message.ended || !canGoBack(useRun.getState().status)))
@@ -296,9 +287,7 @@ export const useRun = create<RunState>((set, get) => ({
     if (back ? tick > 0 && can("seek", get()) : status === "paused") steer({ type: "step", by, back, agent });
   },
   seek: (tick) => {
-    if (!can("seek", get())) return;
-    wanted = Math.round(tick);
-    if (!seeking) sendSeek();
+    if (can("seek", get())) seeks.ask(Math.round(tick));
   },
   force: (agent, sensor, value) => {
     steer({ type: "force", agent, sensor, value });

@@ -13,7 +13,7 @@ import { axisTime, clock, grouped } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import type { ScheduledFailure } from "../../model/types";
-import { can, useRun } from "../../session/run";
+import { can, targetTick, useRun } from "../../session/run";
 
 const FIRST_S = 60;
 const LANE = 11;
@@ -128,8 +128,6 @@ export function EventStrip() {
   const run = useRun();
   const { events, seconds, tick, latest, tickMs, status, seek } = run;
   const box = useRef<HTMLDivElement>(null);
-  /** Where the last key led while tick `shown` was on the screen: the next key goes on from there. */
-  const sought = useRef<{ shown: number; target: number } | null>(null);
   const [width, setWidth] = useState(800);
   useLayoutEffect(() => {
     const element = box.current;
@@ -166,11 +164,9 @@ export function EventStrip() {
     if (past && event.currentTarget.hasPointerCapture(event.pointerId)) goTo(event);
   };
   const onKeyDown = (event: KeyboardEvent) => {
-    const from = sought.current?.shown === tick ? sought.current.target : tick;
-    const target = past ? keyTarget(event.key, from, latest, Math.round(1000 / tickMs)) : null;
+    const target = past ? keyTarget(event.key, targetTick(run), latest, Math.round(1000 / tickMs)) : null;
     if (target === null) return;
     event.preventDefault();
-    sought.current = { shown: tick, target };
     seek(target);
   };
   const marks = Array.from({ length: 7 }, (_, index) => index * step);
