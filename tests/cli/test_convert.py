@@ -252,3 +252,28 @@ def test_a_damaged_mission_is_told_with_its_place(kitrobot, all_forms):
     assert said.status == 1
     assert "cut.krt:" in said.err
     assert not (all_forms / "x.lll").exists()
+
+
+def test_a_recording_becomes_an_mcap_file_and_nothing_else(kitrobot, here):
+    assert kitrobot("run", str(EXAMPLE), "--seconds", "2", "--trace", "run.krtrace").status == 1
+    said = kitrobot("convert", "run.krtrace", "run.mcap")
+    assert (said.status, said.out) == (0, "")
+    assert "run.mcap: written" in said.err
+    assert (here / "run.mcap").read_bytes().startswith(b"\x89MCAP0\r\n")
+    (here / "cut.krtrace").write_bytes((here / "run.krtrace").read_bytes()[:-20])
+    assert "which is cut off" in kitrobot("convert", "cut.krtrace", "cut.mcap").err
+    for source, target, words in (
+        ("run.krtrace", "run.lll", "a recording becomes a `.mcap` file"),
+        (str(EXAMPLE), "x.mcap", "only recordings become `.mcap` files"),
+        ("run.mcap", "x.mcap", "only recordings become `.mcap` files"),
+        ("none.krtrace", "x.mcap", "cannot be read"),
+        ("run.krtrace", "none/x.mcap", "there is no folder"),
+    ):
+        said = kitrobot("convert", source, target)
+        assert (said.status, said.out) == (1, "")
+        assert words in said.err
+        assert "Traceback" not in said.err
+        assert not (here / target).exists()
+    (here / "run.krtrace").write_bytes(b"KRTRACE\n" + b"x" * 100)
+    assert "run.krtrace" in kitrobot("convert", "run.krtrace", "y.mcap").err
+    assert not (here / "y.mcap").exists()

@@ -9,7 +9,7 @@ import json
 import sys
 from pathlib import Path
 
-ABSENT = ("numpy", "numba", "llvmlite", "orjson", "zenoh", "uvloop")
+ABSENT = ("numpy", "numba", "llvmlite", "orjson", "zenoh", "uvloop", "mcap")
 HEART = "examples/heart/heart.krt"
 TRANSPORT = "examples/transport/transport.krt"
 
@@ -43,6 +43,7 @@ def main(root: Path, folder: Path) -> None:
     call("run", transport, "--seed", "1", "--json")
     call("run", heart, "--seconds", "5", "--fail-sweep", "1", "--jobs", "1", "--json")
     call("replay", trace)
+    call("convert", trace, str(folder / "run.mcap"))
     call("verify", str(root / "examples/passing-loop/passing-loop.krt"), "--timing", "lockstep", "--max-states", "500")
     call("check", heart)
     call("convert", heart, text)

@@ -1,0 +1,194 @@
+"""A recording as an MCAP file, read by `rosbags`, which knows ROS 2 and nothing of KitRobot."""
+
+from __future__ import annotations
+
+import json
+import math
+import struct
+from collections.abc import Iterator
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from mcap.reader import make_reader
+from rosbags.highlevel import AnyReader
+from rosbags.typesys import Stores, get_types_from_msg, get_typestore
+
+from kitrobot.primitives.image_name import ImageName
+from kitrobot.trace.model import (
+    PERSON,
+    Column,
+    TickRecord,
+    TraceAgent,
+    TraceCommand,
+    TraceEvent,
+    TraceHeader,
+)
+from kitrobot.trace.reader import TraceReader
+from kitrobot.trace.ros.cdr import CdrLayout, encode_text, encode_texts
+from kitrobot.trace.ros.mcap_export import mcap_bytes
+from kitrobot.trace.ros.topics import distinct_parts, topic_part
+from kitrobot.trace.writer import TraceWriter
+
+TICK_MS = 20
+NAMES = ("carrier 1", "روبوٹ", "1st", "carrier-1", "team")
+
+
+def header(unplaced: frozenset[str] = frozenset()) -> TraceHeader:
+    columns = []
+    for name in NAMES:
+        if name not in unplaced:
+            columns += [Column(name, "x_mm", 0.1), Column(name, "y_mm", 0.1), Column(name, "heading_rad", 0.001)]
+            columns += [Column(name, "load"), Column(name, "flags")]
+        columns += [Column(name, "input Far away", 0.5)]
+    agents = tuple(TraceAgent(name, "go", "mini-robot") for name in NAMES)
+    vertices = {ImageName("go"): ("v1", None, "v2")}
+    return TraceHeader("<kitrobot/>", 7, "<world/>", TICK_MS, agents, (*columns, Column("", "stock A")), vertices)
+
+
+def recording(path: Path, head: TraceHeader, ticks: int, finish: bool = True) -> Path:
+    with TraceWriter(path, head) as writer:
+        for tick in range(ticks):
+            numbers = [(place * 100 + tick) * (-1) ** place for place in range(len(head.columns))]
+            active: list[Any] = [((0, tick % 3),)] * len(NAMES)
+            commands = [TraceCommand(1, "Wheel", "Advance", (50, -3))] if tick == 5 else []
+            events = [TraceEvent(tick, "failure", 0, "fails — è", PERSON)] if tick == 7 else []
+            events += [TraceEvent(tick, "end", -1, "all is done")] if tick == 9 else []
+            writer.record(TickRecord(tick, numbers, active, commands, events))
+        if finish:
+            writer.finish({"outcome": "done"})
+    return path
+
+
+def messages(path: Path, topic: str) -> Iterator[tuple[int, Any]]:
+    """The messages of a topic, with their times in ns."""
+    with AnyReader([path]) as bag:
+        wanted = [one for one in bag.connections if one.topic == topic]
+        for connection, time, data in bag.messages(wanted) if wanted else ():
+            yield time, bag.deserialize(data, connection.msgtype)
+
+
+def exported(source: Path) -> Path:
+    target = source.with_suffix(".mcap")
+    with TraceReader(source) as reader:
+        target.write_bytes(mcap_bytes(reader))
+    return target
+
+
+@pytest.fixture
+def bag(tmp_path: Path) -> Path:
+    return exported(recording(tmp_path / "a.krtrace", header(), 12))
+
+
+def test_where_each_robot_is_stands_in_metres_and_quaternions(bag: Path) -> None:
+    found = list(messages(bag, "/tf"))
+    assert [time for time, _ in found] == [tick * TICK_MS * 1_000_000 for tick in range(12)]
+    time, last = found[-1]
+    robots = [one.child_frame_id for one in last.transforms]
+    assert robots == ["carrier_1", "_", "_1st", "carrier_1_2", "team_2"]
+    for place, transform in enumerate(last.transforms):
+        x, y, heading = ((n * 100 + 11) * (-1) ** n for n in range(6 * place, 6 * place + 3))
+        assert transform.header.frame_id == "map"
+        stamp = transform.header.stamp
+        assert stamp.sec * 1_000_000_000 + stamp.nanosec == time
+        at, turned = transform.transform.translation, transform.transform.rotation
+        assert (at.x, at.y, at.z) == pytest.approx((x / 10_000, y / 10_000, 0))
+        assert 2 * math.atan2(turned.z, turned.w) % math.tau == pytest.approx(heading / 1000 % math.tau)
+    _, poses = list(messages(bag, "/poses"))[-1]
+    assert [(pose.position.x, pose.orientation.w) for pose in poses.poses] == [
+        (one.transform.translation.x, one.transform.rotation.w) for one in last.transforms
+    ]
+
+
+def test_values_threads_commands_and_events_are_there_when_they_come(bag: Path) -> None:
+    values = list(messages(bag, "/carrier_1/input/Far_away"))
+    assert [value.data for _, value in values] == [-0.5 * (500 + tick) for tick in range(12)]
+    assert len(list(messages(bag, "/team/stock/A"))) == 12
+    assert [text.data for _, text in messages(bag, "/carrier_1/active")][:3] == ["go/v1", "", "go/v2"]
+    ((time, command),) = messages(bag, "/_/command")
+    assert (time, command.actuator, command.procedure) == (5 * TICK_MS * 1_000_000, "Wheel", "Advance")
+    assert command.arguments.tolist() == [50, -3]
+    told = [(one.kind, one.agent, one.cause, one.text) for _, one in messages(bag, "/events")]
+    assert told == [("failure", "carrier 1", "person", "fails — è"), ("end", "", "program", "all is done")]
+    logged = [(one.level, one.name, one.msg) for _, one in messages(bag, "/rosout")]
+    assert logged == [(30, "carrier 1", "failure: fails — è"), (20, "team", "end: all is done")]
+
+
+def test_what_holds_for_the_whole_run_is_beside_the_messages(bag: Path) -> None:
+    with bag.open("rb") as file:
+        reader = make_reader(file)
+        found = {one.name: one.data for one in reader.iter_attachments()}
+        (facts,) = [one.metadata for one in reader.iter_metadata()]
+    assert found == {"mission.krt": b"<kitrobot/>", "world.xml": b"<world/>"}
+    assert json.loads(facts["seed"]) == 7
+    assert json.loads(facts["outcome"]) == {"outcome": "done"}
+    assert json.loads(facts["robots"])["روبوٹ"] == "_"
+
+
+def test_the_same_recording_gives_the_same_bytes_and_what_does_not_change_is_said_once(tmp_path: Path) -> None:
+    head = header()
+    source = tmp_path / "still.krtrace"
+    with TraceWriter(source, head) as writer:
+        for tick in range(50):
+            writer.record(TickRecord(tick, [1] * len(head.columns), [()] * len(NAMES)))
+        writer.finish({})
+    bag = exported(source)
+    assert len(list(messages(bag, "/tf"))) == 1
+    assert len(list(messages(bag, "/carrier_1/load"))) == 1
+    assert exported(source).read_bytes() == bag.read_bytes()
+
+
+def test_a_real_robot_has_no_place_and_a_cut_recording_goes_as_far_as_it_goes(tmp_path: Path) -> None:
+    bag = exported(recording(tmp_path / "real.krtrace", header(frozenset(NAMES)), 3))
+    assert list(messages(bag, "/tf")) == []
+    assert len(list(messages(bag, "/carrier_1/input/Far_away"))) == 3
+    whole = recording(tmp_path / "whole.krtrace", header(), 1203)
+    cut = tmp_path / "cut.krtrace"
+    cut.write_bytes(whole.read_bytes()[:-200])
+    assert 500 <= len(list(messages(exported(cut), "/tf"))) < 1203
+
+
+@given(st.lists(st.text(max_size=8), unique=True, max_size=8))
+def test_names_of_topics_are_distinct_and_what_ros_takes(names: list[str]) -> None:
+    parts = distinct_parts(names)
+    assert len(set(parts.values())) == len(names)
+    for part in parts.values():
+        assert part.isascii()
+        assert not part[0].isdigit()
+        assert part.replace("_", "a").isalnum()
+    assert all(topic_part(topic_part(name)) == topic_part(name) for name in names)
+
+
+@given(
+    st.lists(st.integers(-(2**31), 2**31 - 1), max_size=5),
+    st.lists(st.text(st.characters(codec="utf-8", exclude_characters="\0"), max_size=9), min_size=2, max_size=2),
+)
+def test_cdr_is_what_rosbags_writes(whole: list[int], texts: list[str]) -> None:
+    store = get_typestore(Stores.ROS2_JAZZY)
+    store.register(get_types_from_msg("int32 sec\nuint32 nanosec\nstring a\nstring b\nint32[] more\n", "x/msg/X"))
+    import numpy
+
+    kind = store.types["x/msg/X"]
+    theirs = store.serialize_cdr(kind(3, 4, *texts, numpy.array(whole, "int32")), "x/msg/X")
+    assert encode_texts((3, 4), texts, whole) == bytes(theirs)
+    string = store.types["std_msgs/msg/String"]
+    assert encode_text(texts[0]) == bytes(store.serialize_cdr(string(texts[0]), "std_msgs/msg/String"))
+
+
+def test_a_layout_wants_its_numbers() -> None:
+    layout = CdrLayout().numbers("Bd")
+    assert layout.encode((1, 2.0)) == b"\0\1\0\0\1" + bytes(7) + struct.pack("<d", 2.0)
+    with pytest.raises(ValueError, match="argument"):
+        layout.encode((1,))
+    with pytest.raises(struct.error):
+        layout.encode((300, 2.0))
+
+
+def test_other_readers_find_the_index(bag: Path) -> None:
+    summary = make_reader(BytesIO(bag.read_bytes())).get_summary()
+    assert summary is not None
+    assert summary.statistics is not None
+    assert summary.statistics.attachment_count == 2
