@@ -97,10 +97,6 @@ def test_where_each_robot_is_stands_in_metres_and_quaternions(bag: Path) -> None
         at, turned = transform.transform.translation, transform.transform.rotation
         assert (at.x, at.y, at.z) == pytest.approx((x / 10_000, y / 10_000, 0))
         assert 2 * math.atan2(turned.z, turned.w) % math.tau == pytest.approx(heading / 1000 % math.tau)
-    _, poses = list(messages(bag, "/poses"))[-1]
-    assert [(pose.position.x, pose.orientation.w) for pose in poses.poses] == [
-        (one.transform.translation.x, one.transform.rotation.w) for one in last.transforms
-    ]
 
 
 def test_values_threads_commands_and_events_are_there_when_they_come(bag: Path) -> None:

@@ -3,7 +3,6 @@
 | topic | type | when |
 |---|---|---|
 | `/tf` | `tf2_msgs/msg/TFMessage` | a robot moved: from `map` to each robot, in m |
-| `/poses` | `geometry_msgs/msg/PoseArray` | the same, in the order of the team |
 | `/ROBOT/load`, `/ROBOT/input/NAME`, …, `/team/…` | `std_msgs/msg/Float64` | the number changed |
 | `/ROBOT/active` | `std_msgs/msg/String` | its threads stand at other vertices: `PROGRAM/VERTEX …` |
 | `/ROBOT/command` | `kitrobot_msgs/msg/Command` | a device took a command |
@@ -91,7 +90,7 @@ class _Export:
         self._writer, self._header = writer, header
         self._topics = _Topics(writer)
         # A robot may be called like a topic of ours.
-        reserved = {name: name for name in ("team", "tf", "poses", "events", "rosout")}
+        reserved = {name: name for name in ("team", "tf", "events", "rosout")}
         parts = distinct_parts([*reserved, *(agent.name for agent in header.agents)])
         self._parts = {agent.name: parts[agent.name] for agent in header.agents}
         self._robots = [self._parts[agent.name] for agent in header.agents]
@@ -104,9 +103,10 @@ class _Export:
             for place, column in enumerate(header.columns)
             if column.name not in _POSE or column.owner == TEAM
         ]
-        self._tf, self._poses = _pose_layouts([self._parts[name] for name in placed])
+        self._tf = _transforms([self._parts[name] for name in placed])
         self._numbers: list[int] = []
         self._placed: list[int] = []
+        self._rotations: dict[float, tuple[float, float]] = {}
         self._active: list[Any] = [()] * len(header.agents)
 
     def _topic(self, owner: str, name: str) -> str:
@@ -138,27 +138,25 @@ class _Export:
             return
         self._placed = placed
         stamp = _stamp(nanoseconds)
-        poses: list[float] = [*stamp]
         transforms: list[float] = []
         scales = self._scales
         for x, y, heading in self._pose_places:
-            half = numbers[heading] * scales[heading] / 2
-            pose = (
-                *(numbers[x] * scales[x] / 1000, numbers[y] * scales[y] / 1000, 0.0),
-                *(0.0, 0.0, math.sin(half), math.cos(half)),
-            )
-            poses += pose
-            transforms += stamp
-            transforms += pose
+            at_x, at_y = numbers[x] * scales[x] / 1000, numbers[y] * scales[y] / 1000
+            transforms += (*stamp, at_x, at_y, 0.0, 0.0, 0.0, *self._rotation(numbers[heading] * scales[heading]))
         self._topics.write("/tf", "tf2_msgs/msg/TFMessage", nanoseconds, self._tf.encode(transforms))
-        self._topics.write("/poses", "geometry_msgs/msg/PoseArray", nanoseconds, self._poses.encode(poses))
+
+    def _rotation(self, heading: float) -> tuple[float, float]:
+        """The last two numbers of the quaternion of a turn about z, in radians; the first two are 0."""
+        found = self._rotations.get(heading)
+        if found is None:
+            found = self._rotations[heading] = (math.sin(heading / 2), math.cos(heading / 2))
+        return found
 
     def _write_values(self, numbers: Sequence[int], nanoseconds: int) -> None:
-        before = self._numbers
+        before = self._numbers or [None] * len(numbers)
         for place, scale, topic in self._values:
-            number = numbers[place]
-            if not before or number != before[place]:
-                data = _FLOAT64.encode((number * scale,))
+            if numbers[place] != before[place]:
+                data = _FLOAT64.encode((numbers[place] * scale,))
                 self._topics.write(topic, "std_msgs/msg/Float64", nanoseconds, data)
 
     def _write_active(self, record: TickRecord, nanoseconds: int) -> None:
@@ -197,10 +195,9 @@ def _stamp(nanoseconds: int) -> tuple[int, int]:
     return divmod(nanoseconds, 1_000_000_000)
 
 
-def _pose_layouts(robots: Sequence[str]) -> tuple[CdrLayout, CdrLayout]:
-    """Where the robots are as a `TFMessage` and as a `PoseArray`; each pose is x, y, z and a quaternion."""
+def _transforms(robots: Sequence[str]) -> CdrLayout:
+    """Where the robots are as a `TFMessage`; of each x, y, z and a quaternion."""
     transforms = CdrLayout().length(len(robots))
     for robot in robots:
         transforms.numbers("iI").text(FRAME).text(robot).numbers("d" * 7)
-    poses = CdrLayout().numbers("iI").text(FRAME).length(len(robots)).numbers("d" * 7 * len(robots))
-    return transforms, poses
+    return transforms

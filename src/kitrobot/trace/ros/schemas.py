@@ -16,10 +16,7 @@ _DEFINITIONS: Final = {
     "std_msgs/msg/Float64": "float64 data\n",
     "std_msgs/msg/String": "string data\n",
     "geometry_msgs/msg/Vector3": "float64 x\nfloat64 y\nfloat64 z\n",
-    "geometry_msgs/msg/Point": "float64 x\nfloat64 y\nfloat64 z\n",
     "geometry_msgs/msg/Quaternion": "float64 x\nfloat64 y\nfloat64 z\nfloat64 w\n",
-    "geometry_msgs/msg/Pose": "Point position\nQuaternion orientation\n",
-    "geometry_msgs/msg/PoseArray": "std_msgs/Header header\nPose[] poses\n",
     "geometry_msgs/msg/Transform": "Vector3 translation\nQuaternion rotation\n",
     "geometry_msgs/msg/TransformStamped": "std_msgs/Header header\nstring child_frame_id\nTransform transform\n",
     "tf2_msgs/msg/TFMessage": "geometry_msgs/TransformStamped[] transforms\n",
@@ -35,13 +32,6 @@ _DEFINITIONS: Final = {
 }
 
 _CONTENTS: Final = {
-    "geometry_msgs/msg/PoseArray": (
-        "std_msgs/msg/Header",
-        "builtin_interfaces/msg/Time",
-        "geometry_msgs/msg/Pose",
-        "geometry_msgs/msg/Point",
-        "geometry_msgs/msg/Quaternion",
-    ),
     "tf2_msgs/msg/TFMessage": (
         "geometry_msgs/msg/TransformStamped",
         "std_msgs/msg/Header",
