@@ -153,7 +153,7 @@ class _Export:
         return found
 
     def _write_values(self, numbers: Sequence[int], nanoseconds: int) -> None:
-        before = self._numbers or [None] * len(numbers)
+        before: Sequence[int | None] = self._numbers or [None] * len(numbers)
         for place, scale, topic in self._values:
             if numbers[place] != before[place]:
                 data = _FLOAT64.encode((numbers[place] * scale,))
