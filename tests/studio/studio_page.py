@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import FloatRect, Locator, Page, expect
 
 from tests.effort import THOROUGH
 
@@ -22,6 +22,15 @@ not there yet makes a description of the whole page."""
 
 LOOKS = [("light",), *([("dark", "ur"), ("contrast", "fr")] if THOROUGH else [])]
 """Theme and language that axe looks at whole; it holds the contrast of each screen in one of the themes, by turns."""
+
+
+def place_of(locator: Locator) -> FloatRect:
+    """Where an element is, in CSS px of the window, once it stands still."""
+    element = locator.element_handle()
+    element.wait_for_element_state("stable")
+    place = element.bounding_box()
+    assert place is not None
+    return place
 
 
 def begin_new(page: Page) -> None:
@@ -66,9 +75,7 @@ class Studio:
     def drag(self, source: Locator, target: Locator) -> None:
         """Drags with the mouse as a hand does: press, move in steps, let go over the middle of the target."""
         source.scroll_into_view_if_needed()
-        begin, end = source.bounding_box(), target.bounding_box()
-        assert begin is not None
-        assert end is not None
+        begin, end = place_of(source), place_of(target)
         mouse = self.page.mouse
         mouse.move(begin["x"] + begin["width"] / 2, begin["y"] + begin["height"] / 2)
         mouse.down()
