@@ -162,10 +162,7 @@ class AgentValuation:
 def _property(model: Model, one: AskedProperty, parsed: Sequence[AgentCondition]) -> Property:
     conditions = [_ModelCondition(model, condition) for condition in parsed]
     first, second = conditions[0], conditions[-1]
-
-    def monitor(run: Simulation) -> RunMonitor:
-        return _ConditionMonitor(one.form, parsed, run)
-
+    monitor = _monitor(one.form, parsed)
     match one.form:
         case Form.NEVER:
             return Property(
@@ -188,6 +185,32 @@ def _property(model: Model, one: AskedProperty, parsed: Sequence[AgentCondition]
             )
 
 
+def build_run_property(one: AskedProperty, run: Simulation, within_s: float | None = None) -> Property:
+    """Builds a property that is judged by its `monitor` alone, on runs of this mission with any seed.
+
+    Sensors may be free, since a run reads them.
+
+    Args:
+        one: the property.
+        run: a run of the mission.
+        within_s: in how many simulated seconds the second condition is to follow the first one (*after … eventually*);
+            None: for any, judged as `waited_long_enough` says.
+
+    Raises:
+        PropertyError: a condition cannot be parsed, or names something that does not exist.
+    """
+    parsed = [parse_condition(text, team_of(run), declared_of(run)) for _, text in one.conditions]
+    within = None if within_s is None else int(within_s * 1000 / run.tick_ms + 1e-9)
+    return Property(one.name, one.words, monitor=_monitor(one.form, parsed, within))
+
+
+def _monitor(
+    form: Form, parsed: Sequence[AgentCondition], within: int | None = None
+) -> Callable[[Simulation], RunMonitor]:
+    known: _KnownTruths = {}
+    return lambda run: _ConditionMonitor(form, parsed, run, known, within)
+
+
 def _not(one: SensedCondition) -> SensedCondition:
     return SensedCondition(one.agents, lambda keys: not one.test(keys), one.reads_shared)
 
@@ -202,20 +225,33 @@ def _both(one: SensedCondition, other: SensedCondition) -> SensedCondition:
     return SensedCondition((*one.agents, *other.agents), holds, one.reads_shared or other.reads_shared)
 
 
-class _ConditionMonitor:
-    """Monitors a custom property in a run of the simulator."""
+_KnownTruths = dict[tuple[int, str], tuple[Test, dict[tuple[int, ...], bool]]]
+"""Of each agent and test: the test, and what it is on cells that came up, in runs with any seed."""
+_MOST_KNOWN = 100_000
+"""Cells of one test that are known at most."""
 
-    def __init__(self, form: Form, conditions: Sequence[AgentCondition], run: Simulation) -> None:
+
+class _ConditionMonitor:
+    """Monitors a custom property in a run of the simulator. `within`: steps in which the second condition follows."""
+
+    def __init__(
+        self,
+        form: Form,
+        conditions: Sequence[AgentCondition],
+        run: Simulation,
+        known: _KnownTruths,
+        within: int | None = None,
+    ) -> None:
         self._form = form
         self._conditions = conditions
         self._run = run
-        self._tests = {
-            (agent, test): Test(test, run.members[agent].robot)
-            for one in conditions
-            for test, agents in one.tests.items()
-            for agent in agents
-        }
-        self._known: dict[tuple[int, str, tuple[int, ...]], bool] = {}
+        self._known = known
+        for one in conditions:
+            for test, agents in one.tests.items():
+                for agent in agents:
+                    if (agent, test) not in known:
+                        known[agent, test] = Test(test, run.members[agent].robot), {}
+        self._within = within
         self._waits_since = 0 if form is Form.EVENTUALLY else -1
         self._stayed = False
 
@@ -231,25 +267,32 @@ class _ConditionMonitor:
                     self._waits_since = -1
                 elif first and self._waits_since < 0:
                     self._waits_since = self._run.tick
+                return self._is_late()
             case Form.STAYS:
                 broken = self._stayed and not first and not second
                 self._stayed = first and not second
                 return broken
         return False
 
+    def _is_late(self) -> bool:
+        return self._within is not None and 0 <= self._waits_since < self._run.tick - self._within
+
     def at_end(self) -> bool:
-        return self._waits_since >= 0 and waited_long_enough(self._run, self._waits_since)
+        if self._waits_since < 0 or (self._within is not None and self._run.outcome == "time"):
+            return False
+        return waited_long_enough(self._run, self._waits_since)
 
     def _holds(self, condition: AgentCondition) -> bool:
         return condition.holds(self._truth, lambda name: _in_set(self._run, self._run.state.team, name))
 
     def _truth(self, agent: int, test: str) -> bool:
-        if (agent, test) not in self._tests:
+        if (agent, test) not in self._known:
             return False
         machine = self._run.members[agent].machine
         cells = tuple(int(cell) for cell in machine.cells[: machine.layout.cells])
-        key = agent, test, cells
-        known = self._known.get(key)
-        if known is None:
-            known = self._known[key] = self._tests[agent, test].holds(AgentValuation(cells))
-        return known
+        decided, known = self._known[agent, test]
+        if cells not in known:
+            if len(known) >= _MOST_KNOWN:
+                known.clear()
+            known[cells] = decided.holds(AgentValuation(cells))
+        return known[cells]

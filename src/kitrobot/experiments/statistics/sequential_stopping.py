@@ -1,0 +1,183 @@
+"""When runs are enough: a share that is known to a precision, without a broken promise because one stopped early.
+
+Whoever looks at an interval after each run and stops when it is narrow has intervals that miss the truth too often.
+Here the *looks* are planned before the first run: the last one at a number of runs that is enough for every share, and
+earlier ones each 1.4 times as many as the one before. The last look may miss the truth with half of
+1 - confidence, the earlier ones share the other half; so all looks together hold it with the confidence, whichever is
+the last (Boole's inequality), and nothing is assumed of the share. Each look is an exact interval (Clopper and Pearson
+1934) of its first runs.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from kitrobot.experiments.statistics.interval import (
+    USUAL_CONFIDENCE,
+    Interval,
+    StatisticsError,
+    check_confidence,
+)
+from kitrobot.experiments.statistics.shares import clopper_pearson
+from kitrobot.text.sentences import Sentence
+
+FINEST_PRECISION = 1e-4
+"""Of a share: more than a hundred million runs."""
+_GROWTH = 1.4
+_LAST = 0.5
+"""The part of 1 - confidence that the last look may use."""
+
+
+def hoeffding_runs(precision: float, confidence: float = USUAL_CONFIDENCE) -> int:
+    """So many independent runs know any share to ± the precision with that confidence, by Chernoff and Hoeffding.
+
+    That is ln(2 / (1 - confidence)) / (2 precision²), for a number of runs that is chosen beforehand (Hoeffding 1963).
+
+    Raises:
+        StatisticsError: a number makes no sense.
+
+    Examples:
+        >>> hoeffding_runs(0.01, 0.95)
+        18445
+    """
+    check_confidence(confidence)
+    _check_precision(precision)
+    return math.ceil(math.log(2 / (1 - confidence)) / (2 * precision**2))
+
+
+@dataclass(frozen=True, slots=True)
+class Look:
+    """A planned look after so many runs; its interval misses the truth on either side at most so often (`tail`)."""
+
+    runs: int
+    tail: float
+
+
+@dataclass(frozen=True, slots=True)
+class LookPlan:
+    """When it is looked; `looks` are ascending, at least one.
+
+    Attributes:
+        precision: how far the share may be from the estimate.
+        confidence: how often it is no further.
+        looks: the planned looks.
+    """
+
+    precision: float
+    confidence: float
+    looks: tuple[Look, ...]
+
+    @property
+    def most_runs(self) -> int:
+        """The runs of the last look."""
+        return self.looks[-1].runs
+
+
+def plan_looks(precision: float, confidence: float = USUAL_CONFIDENCE, most_runs: int | None = None) -> LookPlan:
+    """The looks for a precision (of a share, more than 0 and less than 0.5) and a confidence (between 0 and 1).
+
+    Args:
+        precision: how far the share may be from the estimate.
+        confidence: how often it is no further.
+        most_runs: the last look comes then at the latest, and may be less precise.
+
+    Raises:
+        StatisticsError: a number makes no sense.
+    """
+    check_confidence(confidence)
+    _check_precision(precision)
+    if most_runs is not None and most_runs < 1:
+        raise StatisticsError(Sentence("there is no run to count"), Sentence("let at least one run end"))
+    missing = (1 - confidence) / 2
+    last = _enough_runs(precision, missing * _LAST)
+    if most_runs is not None:
+        last = min(last, most_runs)
+    count = 1
+    while True:
+        tail = missing * (1 - _LAST) / count
+        sizes = list(_sizes(precision, tail, last))
+        if len(sizes) <= count:
+            break
+        count = len(sizes)
+    if not sizes:
+        return LookPlan(precision, confidence, (Look(last, missing),))
+    return LookPlan(precision, confidence, (*(Look(size, tail) for size in sizes), Look(last, missing * _LAST)))
+
+
+def _sizes(precision: float, tail: float, last: int) -> Iterator[int]:
+    """The runs of the looks before the last one: from the first number after which an interval can be narrow enough."""
+    size = math.log(tail) / math.log1p(-precision)
+    while math.ceil(size) < last:
+        yield math.ceil(size)
+        size *= _GROWTH
+
+
+def _enough_runs(precision: float, tail: float) -> int:
+    """So many runs that the exact interval reaches no further than the precision, whatever the share."""
+    low, high = 1, 2
+    while _widest(high, tail) > precision:
+        low, high = high, 2 * high
+    while high - low > 1:
+        middle = (low + high) // 2
+        if _widest(middle, tail) > precision:
+            low = middle
+        else:
+            high = middle
+    return high
+
+
+def _widest(runs: int, tail: float) -> float:
+    """How far the exact interval of so many runs reaches from the estimate where it reaches furthest: near one half."""
+    return max(_reach(successes, runs, tail) for successes in {runs // 2, max(0, runs // 2 - 1)})
+
+
+def _reach(successes: int, runs: int, tail: float) -> float:
+    low, high = clopper_pearson(successes, runs, tail)
+    return max(successes / runs - low, high - successes / runs)
+
+
+def _check_precision(precision: float) -> None:
+    if not FINEST_PRECISION <= precision < 0.5:
+        raise StatisticsError(
+            Sentence("expected a precision from {least} to less than 0.5, found {found}", FINEST_PRECISION, precision),
+            Sentence("0.01 means that a share of 0.93 is known to lie between 0.92 and 0.94"),
+        )
+
+
+class SequentialShare:
+    """A share that becomes known run by run, until a planned look is narrow enough or the last one is there.
+
+    Args:
+        plan: the looks.
+    """
+
+    def __init__(self, plan: LookPlan) -> None:
+        self._plan = plan
+        self._next = 0
+        self.runs = 0
+        self.successes = 0
+        self.interval: Interval | None = None
+        """Of the last look; None before the first. With the confidence of the plan, whenever somebody breaks off."""
+        self.looked_at = 0
+        """The runs of that look."""
+        self.is_over = False
+
+    def add(self, success: bool) -> bool:
+        """Counts the next run; whether it is the last one."""
+        assert not self.is_over, "no run is counted after the end"
+        self.runs += 1
+        self.successes += success
+        look = self._plan.looks[self._next]
+        if self.runs == look.runs:
+            self._look(look)
+        return self.is_over
+
+    def _look(self, look: Look) -> None:
+        low, high = clopper_pearson(self.successes, self.runs, look.tail)
+        words = Sentence("Clopper and Pearson's exact interval at planned looks")
+        self.interval = Interval(self.successes / self.runs, low, high, self._plan.confidence, words)
+        self.looked_at = self.runs
+        self._next += 1
+        self.is_over = self._next == len(self._plan.looks) or self.interval.error <= self._plan.precision
