@@ -162,7 +162,10 @@ class AgentValuation:
 def _property(model: Model, one: AskedProperty, parsed: Sequence[AgentCondition]) -> Property:
     conditions = [_ModelCondition(model, condition) for condition in parsed]
     first, second = conditions[0], conditions[-1]
-    monitor = _monitor(one.form, parsed)
+
+    def monitor(run: Simulation) -> RunMonitor:
+        return _ConditionMonitor(one.form, parsed, run)
+
     match one.form:
         case Form.NEVER:
             return Property(
@@ -201,14 +204,7 @@ def build_run_property(one: AskedProperty, run: Simulation, within_s: float | No
     """
     parsed = [parse_condition(text, team_of(run), declared_of(run)) for _, text in one.conditions]
     within = None if within_s is None else int(within_s * 1000 / run.tick_ms + 1e-9)
-    return Property(one.name, one.words, monitor=_monitor(one.form, parsed, within))
-
-
-def _monitor(
-    form: Form, parsed: Sequence[AgentCondition], within: int | None = None
-) -> Callable[[Simulation], RunMonitor]:
-    known: _KnownTruths = {}
-    return lambda run: _ConditionMonitor(form, parsed, run, known, within)
+    return Property(one.name, one.words, monitor=lambda run: _ConditionMonitor(one.form, parsed, run, within))
 
 
 def _not(one: SensedCondition) -> SensedCondition:
@@ -225,35 +221,25 @@ def _both(one: SensedCondition, other: SensedCondition) -> SensedCondition:
     return SensedCondition((*one.agents, *other.agents), holds, one.reads_shared or other.reads_shared)
 
 
-_KnownTruths = dict[tuple[int, str], tuple[Test, dict[tuple[int, ...], bool]]]
-"""Of each agent and test: the test, and what it is on cells that came up, in runs with any seed."""
-_MOST_KNOWN = 100_000
-"""Cells of one test that are known at most."""
-
-
 class _ConditionMonitor:
-    """Monitors a custom property in a run of the simulator. `within`: steps in which the second condition follows."""
+    """Monitors a custom property in a run of the simulator; `within` how many steps a second condition is to follow."""
 
     def __init__(
-        self,
-        form: Form,
-        conditions: Sequence[AgentCondition],
-        run: Simulation,
-        known: _KnownTruths,
-        within: int | None = None,
+        self, form: Form, conditions: Sequence[AgentCondition], run: Simulation, within: int | None = None
     ) -> None:
         self._form = form
         self._conditions = conditions
         self._run = run
-        self._known = known
-        for one in conditions:
-            for test, agents in one.tests.items():
-                for agent in agents:
-                    if (agent, test) not in known:
-                        known[agent, test] = Test(test, run.members[agent].robot), {}
-        self._within = within
+        self._tests = {
+            (agent, test): Test(test, run.members[agent].robot)
+            for one in conditions
+            for test, agents in one.tests.items()
+            for agent in agents
+        }
+        self._known: dict[tuple[int, str, tuple[int, ...]], bool] = {}
         self._waits_since = 0 if form is Form.EVENTUALLY else -1
         self._stayed = False
+        self._within = within
 
     def after_step(self) -> bool:
         first, second = self._holds(self._conditions[0]), self._holds(self._conditions[-1])
@@ -286,13 +272,12 @@ class _ConditionMonitor:
         return condition.holds(self._truth, lambda name: _in_set(self._run, self._run.state.team, name))
 
     def _truth(self, agent: int, test: str) -> bool:
-        if (agent, test) not in self._known:
+        if (agent, test) not in self._tests:
             return False
         machine = self._run.members[agent].machine
         cells = tuple(int(cell) for cell in machine.cells[: machine.layout.cells])
-        decided, known = self._known[agent, test]
-        if cells not in known:
-            if len(known) >= _MOST_KNOWN:
-                known.clear()
-            known[cells] = decided.holds(AgentValuation(cells))
-        return known[cells]
+        key = agent, test, cells
+        known = self._known.get(key)
+        if known is None:
+            known = self._known[key] = self._tests[agent, test].holds(AgentValuation(cells))
+        return known
