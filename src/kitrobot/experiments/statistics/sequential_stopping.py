@@ -23,8 +23,8 @@ from kitrobot.experiments.statistics.interval import (
 from kitrobot.experiments.statistics.shares import clopper_pearson
 from kitrobot.text.sentences import Sentence
 
-FINEST_PRECISION = 1e-4
-"""Of a share: more than a hundred million runs."""
+FINEST_PRECISION = 1e-3
+"""Of a share: more than a million runs."""
 _GROWTH = 1.4
 _LAST = 0.5
 """The part of 1 - confidence that the last look may use."""
@@ -117,20 +117,32 @@ def _sizes(precision: float, tail: float, last: int) -> Iterator[int]:
 def _enough_runs(precision: float, tail: float) -> int:
     """So many runs that the exact interval reaches no further than the precision, whatever the share."""
     low, high = 1, 2
-    while _widest(high, tail) > precision:
+    while _reach(high // 2, high, tail) > precision:
         low, high = high, 2 * high
     while high - low > 1:
         middle = (low + high) // 2
-        if _widest(middle, tail) > precision:
+        if _reach(middle // 2, middle, tail) > precision:
             low = middle
         else:
             high = middle
+    while _widest(high, tail) > precision:
+        high += 1
     return high
 
 
 def _widest(runs: int, tail: float) -> float:
-    """How far the exact interval of so many runs reaches from the estimate where it reaches furthest: near one half."""
-    return max(_reach(successes, runs, tail) for successes in {runs // 2, max(0, runs // 2 - 1)})
+    """How far the exact interval of so many runs reaches from the estimate where it reaches furthest.
+
+    That is a little below one half, and as far above it; on both sides it reaches less and less far.
+    """
+    low, high = 0, runs // 2
+    while high - low > 2:
+        left, right = low + (high - low) // 3, high - (high - low) // 3
+        if _reach(left, runs, tail) < _reach(right, runs, tail):
+            low = left + 1
+        else:
+            high = right
+    return max(_reach(successes, runs, tail) for successes in range(low, high + 1))
 
 
 def _reach(successes: int, runs: int, tail: float) -> float:
