@@ -41,6 +41,7 @@ UNSAVED = "mission.krt"
 class RunLimits(TypedDict, total=False):
     """What limits the runs of `probability`."""
 
+    seconds: float
     runs: int | None
     jobs: int | None
     progress: Progress | None
@@ -91,7 +92,6 @@ def probability(
     confidence: float = 0.95,
     at_least: float | None = None,
     seed: int = DEFAULT_SEED,
-    seconds: float = 600.0,
     **limits: Unpack[RunLimits],
 ) -> Probability:
     """How probable it is that a run of a mission has a property, from as many runs as that takes.
@@ -104,9 +104,9 @@ def probability(
         confidence: how often such an answer is right; between 0 and 1.
         at_least: only decide whether the probability is at least this; within the precision either answer may come.
         seed: of the first run; each next one has the next seed.
-        seconds: simulated seconds after which a run is out of time, where the question sets none.
-        limits: `runs`, at most so many; `jobs`, so many processes instead of one for each core (with several, a
-            script needs `if __name__ == "__main__":`); `progress`, told how many runs are over, and of how many.
+        limits: `seconds`, simulated ones after which a run is out of time (600), where the question sets none; `runs`,
+            at most so many; `jobs`, so many processes instead of one for each core (with several, a script needs
+            `if __name__ == "__main__":`); `progress`, told how many runs are over, and of how many.
 
     Raises:
         ProblemsError: the mission has errors.
@@ -122,7 +122,7 @@ def probability(
     from kitrobot.workspace.mission_run import RunOptions
 
     opened = mission if isinstance(mission, OpenMission) else open_mission(mission)
-    prepared = opened.prepare(RunOptions(seed, seconds, fail_rate))
+    prepared = opened.prepare(RunOptions(seed, limits.get("seconds", 600.0), fail_rate))
     chosen = ProbabilityOptions(precision, confidence, at_least, limits.get("runs"), limits.get("jobs"))
     return find_probability(prepared, question, chosen, limits.get("progress"))
 

@@ -7,7 +7,7 @@ on the number of processes, and each run can be looked at with `kitrobot run --s
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from contextlib import closing
 from dataclasses import dataclass
 from typing import Any, Final
@@ -16,7 +16,7 @@ from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.experiments.run_question import RunAnswer, RunJudge, RunQuestion, read_question
 from kitrobot.experiments.statistics.interval import USUAL_CONFIDENCE, Interval, StatisticsError
 from kitrobot.experiments.statistics.ratio_test import RatioTest
-from kitrobot.experiments.statistics.sequential_stopping import LookPlan, SequentialShare, hoeffding_runs, plan_looks
+from kitrobot.experiments.statistics.stopping_rule import LookPlan, SequentialShare, hoeffding_runs, plan_looks
 from kitrobot.sim.jit.policy import expect_many_runs
 from kitrobot.sim.run_spec import RunSpec
 from kitrobot.sim.setup.limits import MAX_SEED
@@ -253,7 +253,7 @@ _Batch = tuple[int, int, int]
 
 def _answers(
     judge: RunJudge, asked: RunQuestion, spec: RunSpec, counts: _Counts, jobs: int, stop: Callable[[], bool]
-) -> Iterator[RunAnswer]:
+) -> Generator[RunAnswer, None, None]:
     """What runs answer, in the order of their seeds."""
     first = judge.answer(spec.seed, stop)
     if first is None:

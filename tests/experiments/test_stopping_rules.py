@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from kitrobot.experiments.statistics import sequential_stopping
+from kitrobot.experiments.statistics import stopping_rule
 from kitrobot.experiments.statistics.interval import StatisticsError
 from kitrobot.experiments.statistics.ratio_test import RatioTest
-from kitrobot.experiments.statistics.sequential_stopping import (
+from kitrobot.experiments.statistics.stopping_rule import (
     LookPlan,
     SequentialShare,
     hoeffding_runs,
@@ -29,7 +29,7 @@ STUDIES = 10_000 if THOROUGH else 300
 @pytest.fixture
 def known_ends(monkeypatch: pytest.MonkeyPatch) -> None:
     """The ends of an interval are computed once."""
-    monkeypatch.setattr(sequential_stopping, "clopper_pearson", functools.cache(clopper_pearson))
+    monkeypatch.setattr(stopping_rule, "clopper_pearson", functools.cache(clopper_pearson))
 
 
 def test_hoeffdings_runs_are_those_of_the_formula() -> None:
