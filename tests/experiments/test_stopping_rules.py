@@ -12,15 +12,16 @@ import pytest
 from scipy import stats
 
 from kitrobot.experiments.statistics import stopping_rule
+from kitrobot.experiments.statistics.confidence_sequence import anytime_ends
 from kitrobot.experiments.statistics.interval import StatisticsError
 from kitrobot.experiments.statistics.ratio_test import RatioTest
+from kitrobot.experiments.statistics.shares import clopper_pearson
 from kitrobot.experiments.statistics.stopping_rule import (
     LookPlan,
     SequentialShare,
     hoeffding_runs,
     plan_looks,
 )
-from kitrobot.experiments.statistics.shares import clopper_pearson
 from tests.effort import THOROUGH, cases
 
 STUDIES = 10_000 if THOROUGH else 300
@@ -52,7 +53,8 @@ def test_the_last_look_is_precise_whatever_comes_out_and_comes_before_hoeffdings
 def test_all_looks_together_may_miss_no_more_than_the_confidence_leaves(precision: float) -> None:
     for confidence in (0.8, 0.95, 0.999):
         plan = plan_looks(precision, confidence)
-        assert 0.8 * (1 - confidence) < 2 * sum(look.tail for look in plan.looks) <= 1 - confidence + 1e-12
+        used = plan.missing + 2 * sum(look.tail for look in plan.looks)
+        assert 0.8 * (1 - confidence) < used <= 1 - confidence + 1e-12
 
 
 def exact_coverage(plan: LookPlan, share: float) -> tuple[float, float]:
@@ -85,18 +87,34 @@ def test_every_share_is_held_with_the_confidence_although_it_is_stopped_early(co
         assert precise >= confidence, share
 
 
-def test_the_interval_of_the_last_look_holds_the_share_whenever_somebody_breaks_off(known_ends: None) -> None:
-    """The worst that somebody can do: to break off at the first look that misses."""
-    plan, chance = plan_looks(0.1, 0.95), random.Random(2)
+def test_what_is_known_holds_the_share_whenever_somebody_breaks_off(known_ends: None) -> None:
+    """The worst that somebody can do: to break off as soon as the interval misses."""
+    plan, chance = plan_looks(0.1, 0.8), random.Random(2)
     missed = 0
-    for _ in range(STUDIES):
-        share = SequentialShare(plan)
-        while not share.add(chance.random() < 0.9):
-            if share.interval is not None and not share.interval.low <= 0.9 <= share.interval.high:
+    for _ in range(STUDIES // 3):
+        share, is_over = SequentialShare(plan), False
+        while not is_over:
+            is_over = share.add(chance.random() < 0.9)
+            interval, _ = share.known()
+            assert interval is not None
+            if not interval.low <= 0.9 <= interval.high:
+                missed += 1
                 break
-        assert share.interval is not None
-        missed += not share.interval.low <= 0.9 <= share.interval.high
-    assert missed <= stats.binom.ppf(1 - 1e-6, STUDIES, 0.05)
+    assert missed <= stats.binom.ppf(1 - 1e-6, STUDIES // 3, 0.2)
+
+
+@pytest.mark.parametrize("share", cases([0.5, 0.97], [0.05, 0.8]))
+def test_a_confidence_sequence_misses_at_any_time_no_more_often_than_it_says(share: float) -> None:
+    missing, ever = 0.2, 0.0
+    going = np.array([1.0])
+    for runs in range(1, 301):
+        going = np.convolve(going, [1 - share, share])
+        for successes in np.flatnonzero(going > 1e-9):
+            low, high = anytime_ends(int(successes), runs, missing)
+            if not low <= share <= high:
+                ever += going[successes]
+                going[successes] = 0
+    assert 0.02 < ever <= missing
 
 
 def test_simulated_studies_hold_the_share_and_what_is_nearly_certain_takes_fewer_runs(known_ends: None) -> None:
@@ -107,30 +125,37 @@ def test_simulated_studies_hold_the_share_and_what_is_nearly_certain_takes_fewer
             share = SequentialShare(plan)
             while not share.add(chance.random() < truth):
                 pass
-            assert share.interval is not None
-            assert share.interval.error <= 0.05 + 1e-12
-            held += share.interval.low <= truth <= share.interval.high
+            interval, _ = share.known()
+            assert interval is not None
+            assert interval.error <= 0.05 + 1e-12
+            held += interval.low <= truth <= interval.high
             runs += share.runs
         assert held >= stats.binom.ppf(1e-6, STUDIES, 0.95)
         assert (runs / STUDIES < 0.7 * plan.most_runs) == (truth > 0.9)
 
 
-def test_before_the_first_look_nothing_is_said_and_then_how_many_runs_it_has() -> None:
-    share = SequentialShare(plan_looks(0.2))
-    first = plan_looks(0.2).looks[0].runs
+def test_what_is_known_says_of_how_many_runs_it_is_and_by_which_method() -> None:
+    plan = plan_looks(0.2)
+    share, first = SequentialShare(plan), plan.looks[0].runs
+    assert share.known() == (None, 0)
     for _ in range(first - 1):
         share.add(True)
-    assert (share.interval, share.looked_at) == (None, 0)
+    interval, runs = share.known()
+    assert interval is not None
+    assert (interval.estimate, interval.high, runs) == (1.0, 1.0, first - 1)
+    assert (interval.method, interval.confidence) == ("beta-binomial confidence sequence", 0.95)
     assert share.add(True)
-    assert share.interval is not None
-    assert (share.interval.estimate, share.looked_at, share.is_over) == (1.0, first, True)
+    interval, runs = share.known()
+    assert interval is not None
+    assert (interval.estimate, runs, share.is_over) == (1.0, first, True)
+    assert interval.method == "Clopper and Pearson's exact interval at planned looks"
 
 
 @pytest.mark.parametrize("most", [1, 5, 40])
 def test_a_limit_of_runs_is_the_last_look_and_leaves_the_interval_as_wide_as_it_is(most: int) -> None:
     plan = plan_looks(0.01, 0.95, most)
     assert plan.most_runs == most
-    assert 2 * sum(look.tail for look in plan.looks) <= 0.05 + 1e-12
+    assert plan.missing + 2 * sum(look.tail for look in plan.looks) <= 0.05 + 1e-12
 
 
 def decisions(threshold: float, margin: float, confidence: float, share: float) -> tuple[float, float, float]:

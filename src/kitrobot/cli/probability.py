@@ -111,15 +111,15 @@ def _rows(found: Probability) -> Iterator[tuple[str, str]]:
         answer = {True: f"yes, {sure}", False: f"no, {sure}", None: "not decided"}[found.decision]
         yield f"at least {options.at_least:g}", answer
     elif interval is None:
-        yield "probability", "not known: no planned look was reached"
+        yield "probability", "not known: no run has ended"
     else:
         digits = max(2, 1 - math.floor(math.log10(options.precision)))
         low, high = _rounded_outwards(interval.low, interval.high, digits)
         after = f", after {_counted(found.looked_at)}" if found.looked_at < found.runs else ""
         yield "probability", f"{interval.estimate:.{digits}f}, between {low} and {high} {sure}{after}"
     yield "method", str(found.method)
-    last = found.seed + found.runs - 1
-    yield "runs", f"{found.runs}, with the seeds {found.seed} to {last}; it holds in {found.holds}"
+    seeds = f", with the seeds {found.seed} to {found.seed + found.runs - 1}; it holds in {found.holds}"
+    yield "runs", f"{found.runs}{seeds if found.runs else ''}"
     if found.planned_runs is not None:
         yield (
             "planned",

@@ -75,8 +75,8 @@ class Probability:
         seed, fail_rate: of the first run; of all runs.
         runs, holds: how many runs were counted, and in how many of them it holds.
         complete: whether the rule ended them; not of what was broken off, or of too few runs for a decision.
-        interval: for the probability, of the last planned look; None before the first one, and of *at least*.
-        looked_at: the runs of that look.
+        interval: for the probability, as far as it is known; None before the first run, and of *at least*.
+        looked_at: the runs that it is of.
         planned_runs: the runs of the last look that is planned; None of *at least*.
         decision: whether the probability is at least that; None where that is not asked, or open.
         examples, counterexamples: the first runs in which it holds, and in which it does not.
@@ -110,7 +110,7 @@ class Probability:
                 f"{self.options.at_least:g}",
                 f"{self.options.precision:g}",
             )
-        return self.interval.method if self.interval is not None else Sentence("none: the first look was not reached")
+        return self.interval.method if self.interval is not None else Sentence("none")
 
     @property
     def hoeffding_runs(self) -> int:
@@ -226,7 +226,7 @@ def find_probability(
                     break
     except KeyboardInterrupt:
         pass
-    share, test = counts.share, counts.test
+    interval, looked_at = counts.share.known() if counts.share is not None else (None, 0)
     return Probability(
         asked.text,
         judge.words,
@@ -236,10 +236,10 @@ def find_probability(
         counts.runs,
         counts.holds,
         counts.complete,
-        share.interval if share is not None else None,
-        share.looked_at if share is not None else 0,
+        interval,
+        looked_at,
         counts.plan.most_runs if counts.plan is not None else None,
-        test.decision if test is not None else None,
+        counts.test.decision if counts.test is not None else None,
         tuple(counts.holding),
         tuple(counts.failing),
         judge.tick_ms,

@@ -2,10 +2,11 @@
 
 Whoever looks at an interval after each run and stops when it is narrow has intervals that miss the truth too often.
 Here the *looks* are planned before the first run: the last one at a number of runs that is enough for every share, and
-earlier ones each 1.4 times as many as the one before. The last look may miss the truth with half of
-1 - confidence, the earlier ones share the other half; so all looks together hold it with the confidence, whichever is
-the last (Boole's inequality), and nothing is assumed of the share. Each look is an exact interval (Clopper and Pearson
-1934) of its first runs.
+earlier ones each 1.4 times as many as the one before. Each is an exact interval (Clopper and Pearson 1934) of its
+first runs. Of 1 - confidence, the part in which the truth may be missed, a tenth is for breaking off between two looks
+(`confidence_sequence`), half of the rest for the last look, and the earlier ones share what is left. So all of them
+together hold the truth with the confidence, whichever is the last (Boole's inequality); nothing is assumed of the
+share.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from kitrobot.experiments.statistics.confidence_sequence import anytime_ends
 from kitrobot.experiments.statistics.interval import (
     USUAL_CONFIDENCE,
     Interval,
@@ -26,8 +28,10 @@ from kitrobot.text.sentences import Sentence
 FINEST_PRECISION = 1e-3
 """Of a share: more than a million runs."""
 _GROWTH = 1.4
+_ANY_TIME = 0.1
+"""The part of 1 - confidence that is for breaking off between two looks."""
 _LAST = 0.5
-"""The part of 1 - confidence that the last look may use."""
+"""The part of the rest that the last look may use."""
 
 
 def hoeffding_runs(precision: float, confidence: float = USUAL_CONFIDENCE) -> int:
@@ -63,11 +67,13 @@ class LookPlan:
         precision: how far the share may be from the estimate.
         confidence: how often it is no further.
         looks: the planned looks.
+        missing: how often an interval between two looks may miss the truth, at any time.
     """
 
     precision: float
     confidence: float
     looks: tuple[Look, ...]
+    missing: float
 
     @property
     def most_runs(self) -> int:
@@ -90,7 +96,8 @@ def plan_looks(precision: float, confidence: float = USUAL_CONFIDENCE, most_runs
     _check_precision(precision)
     if most_runs is not None and most_runs < 1:
         raise StatisticsError(Sentence("there is no run to count"), Sentence("let at least one run end"))
-    missing = (1 - confidence) / 2
+    between = (1 - confidence) * _ANY_TIME
+    missing = (1 - confidence - between) / 2
     last = _enough_runs(precision, missing * _LAST)
     if most_runs is not None:
         last = min(last, most_runs)
@@ -101,9 +108,8 @@ def plan_looks(precision: float, confidence: float = USUAL_CONFIDENCE, most_runs
         if len(sizes) <= count:
             break
         count = len(sizes)
-    if not sizes:
-        return LookPlan(precision, confidence, (Look(last, missing),))
-    return LookPlan(precision, confidence, (*(Look(size, tail) for size in sizes), Look(last, missing * _LAST)))
+    earlier = tuple(Look(size, tail) for size in sizes)
+    return LookPlan(precision, confidence, (*earlier, Look(last, missing * (_LAST if earlier else 1))), between)
 
 
 def _sizes(precision: float, tail: float, last: int) -> Iterator[int]:
@@ -170,11 +176,9 @@ class SequentialShare:
         self._next = 0
         self.runs = 0
         self.successes = 0
-        self.interval: Interval | None = None
-        """Of the last look; None before the first. With the confidence of the plan, whenever somebody breaks off."""
-        self.looked_at = 0
-        """The runs of that look."""
         self.is_over = False
+        self._look_interval: Interval | None = None
+        self._looked_at = 0
 
     def add(self, success: bool) -> bool:
         """Counts the next run; whether it is the last one."""
@@ -189,7 +193,22 @@ class SequentialShare:
     def _look(self, look: Look) -> None:
         low, high = clopper_pearson(self.successes, self.runs, look.tail)
         words = Sentence("Clopper and Pearson's exact interval at planned looks")
-        self.interval = Interval(self.successes / self.runs, low, high, self._plan.confidence, words)
-        self.looked_at = self.runs
+        interval = Interval(self.successes / self.runs, low, high, self._plan.confidence, words)
+        self._look_interval, self._looked_at = interval, self.runs
         self._next += 1
-        self.is_over = self._next == len(self._plan.looks) or self.interval.error <= self._plan.precision
+        self.is_over = self._next == len(self._plan.looks) or interval.error <= self._plan.precision
+
+    def known(self) -> tuple[Interval | None, int]:
+        """The interval that is known so far, with the confidence of the plan, and of how many runs it is.
+
+        That is the one of the last look or, between two looks, of all runs so far, if it is narrower; both hold
+        whenever somebody breaks off. None before the first run.
+        """
+        if self.is_over or not self.runs:
+            return self._look_interval, self._looked_at
+        low, high = anytime_ends(self.successes, self.runs, self._plan.missing)
+        words = Sentence("beta-binomial confidence sequence")
+        now = Interval(self.successes / self.runs, low, high, self._plan.confidence, words)
+        if self._look_interval is not None and self._look_interval.error <= now.error:
+            return self._look_interval, self._looked_at
+        return now, self.runs
