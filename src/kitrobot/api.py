@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import replace
 from os import PathLike, fspath
 from pathlib import Path
+from typing import TYPE_CHECKING, TypedDict, Unpack
 
 from kitrobot.compiler.compilation import CompiledProgram, compile_lll, compile_text
 from kitrobot.compiler.compilation import compile_program as compile_graph
@@ -20,7 +21,7 @@ from kitrobot.graph.model import Program
 from kitrobot.lll.parse_results import ParseResult
 from kitrobot.lll.parse_results import parse as parse_lll
 from kitrobot.lll.tree import Seq
-from kitrobot.mission.model import Mission
+from kitrobot.mission.model import DEFAULT_SEED, Mission
 from kitrobot.mission.writer import save, write_mission
 from kitrobot.primitives.catalogue import load_catalogue
 from kitrobot.primitives.robot import Robot
@@ -30,8 +31,20 @@ from kitrobot.workspace.mission_loader import open_mission as open_file
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.search_path import SearchPath
 
+if TYPE_CHECKING:
+    from kitrobot.experiments.probability import Probability, Progress
+
 UNSAVED = "mission.krt"
 """What messages call a mission that is no file."""
+
+
+class RunLimits(TypedDict, total=False):
+    """What limits the runs of `probability`."""
+
+    seconds: float
+    runs: int | None
+    jobs: int | None
+    progress: Progress | None
 
 
 def open_mission(mission: str | PathLike[str] | Mission, *, folder: str | PathLike[str] = ".") -> OpenMission:
@@ -68,6 +81,50 @@ def save_mission(mission: Mission, path: str | PathLike[str]) -> None:
         KitRobotError: the file cannot be written; what was there is as it was.
     """
     save(Path(path), mission)
+
+
+def probability(
+    mission: str | PathLike[str] | Mission | OpenMission,
+    question: str,
+    *,
+    fail_rate: float = 0.0,
+    precision: float = 0.05,
+    confidence: float = 0.95,
+    at_least: float | None = None,
+    seed: int = DEFAULT_SEED,
+    **limits: Unpack[RunLimits],
+) -> Probability:
+    """How probable it is that a run of a mission has a property, from as many runs as that takes.
+
+    Args:
+        mission: as of `open_mission`, or what that gave.
+        question: what is asked of each run: `delivered within 120`, `done`, `never any carrier (…)`.
+        fail_rate: the probability (0…1) that an agent fails for good within a minute, by chance.
+        precision: the probability is at most so far from the estimate; more than 0 and less than 0.5.
+        confidence: how often such an answer is right; between 0 and 1.
+        at_least: only decide whether the probability is at least this; within the precision either answer may come.
+        seed: of the first run; each next one has the next seed.
+        limits: `seconds`, simulated ones after which a run is out of time (600), where the question sets none; `runs`,
+            at most so many; `jobs`, so many processes instead of one for each core (with several, a script needs
+            `if __name__ == "__main__":`); `progress`, told how many runs are over, and of how many.
+
+    Raises:
+        ProblemsError: the mission has errors.
+        KitRobotError: the question cannot be understood, or a number makes no sense.
+
+    Examples:
+        >>> import kitrobot
+        >>> found = kitrobot.probability("square", "done within 20", precision=0.2, jobs=1)
+        >>> found.runs, found.interval.estimate, round(found.interval.low, 2), found.interval.high
+        (23, 1.0, 0.8, 1.0)
+    """
+    from kitrobot.experiments.probability import ProbabilityOptions, find_probability
+    from kitrobot.workspace.mission_run import RunOptions
+
+    opened = mission if isinstance(mission, OpenMission) else open_mission(mission)
+    prepared = opened.prepare(RunOptions(seed, limits.get("seconds", 600.0), fail_rate))
+    chosen = ProbabilityOptions(precision, confidence, at_least, limits.get("runs"), limits.get("jobs"))
+    return find_probability(prepared, question, chosen, limits.get("progress"))
 
 
 def parse(text: str, name: str = "program.lll") -> ParseResult:

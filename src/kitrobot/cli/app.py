@@ -51,6 +51,7 @@ from kitrobot.cli.output import (
     reset_output_state,
     standard_streams,
 )
+from kitrobot.cli.probability import estimate_probability
 from kitrobot.cli.replay import replay_trace
 from kitrobot.cli.run import run_mission
 from kitrobot.cli.site import FirstMissions, write_site
@@ -96,6 +97,7 @@ app.command("studio")(open_studio)
 app.command("class")(open_class)
 app.command("run")(run_mission)
 app.command("verify")(verify_mission)
+app.command("probability")(estimate_probability)
 app.command("grade")(grade_submissions)
 app.command("team")(run_team)
 app.command("agent")(run_agent)

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 
 
 @contextmanager
-def counted_progress(what: str, total: int | None = None) -> Iterator[Callable[[int, int], None] | None]:
+def counted_progress(what: str, total: int | None = None) -> Iterator[Callable[[int, int | None], None] | None]:
     """A bar on standard error while a person watches; what it gives takes how many are done, of how many."""
     if not sys.stderr.isatty():
         yield None

@@ -84,7 +84,7 @@ def run_mission(
     from kitrobot.workspace.mission_run import RunOptions
     from kitrobot.world.floor_svg import floor_svg
 
-    _check_numbers(seed, seconds, fail_rate)
+    check_run_numbers(seed, seconds, fail_rate)
     if fail_sweep is None and (pairs or jobs is not None or picture is not None):
         raise typer.BadParameter("`--pairs`, `--jobs` and `--output` are of a sweep", param_hint="'--fail-sweep'")
     if fail_sweep is not None and drawing is not None:
@@ -119,7 +119,7 @@ def run_mission(
         raise typer.Exit(1)
 
 
-def _check_numbers(seed: int, seconds: float, fail_rate: float) -> None:
+def check_run_numbers(seed: int, seconds: float, fail_rate: float) -> None:
     """Refuses numbers that a run cannot have."""
     from kitrobot.sim.setup.limits import MAX_SECONDS, MAX_SEED
 

@@ -7,11 +7,9 @@ number: fields are sorted, and nothing that the clock on the wall decides is in 
 
 from __future__ import annotations
 
-import queue
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -30,14 +28,12 @@ from kitrobot.sim.sweep import (
     snapshots_at,
 )
 from kitrobot.text.sentences import Sentence
-from kitrobot.workspace.child_processes import MOST_JOBS, cores, end_with_parent
+from kitrobot.workspace.child_processes import MOST_JOBS, cores
 from kitrobot.workspace.mission_run import PreparedRun, Run
+from kitrobot.workspace.task_pool import run_tasks
 
 OUTCOMES: Final[tuple[Outcome, ...]] = ("done", "failed", "stuck", "time")
 MOST_FIELDS: Final = 1_000_000
-
-_LOOK_S: Final = 0.2
-"""How long nobody looks whether a sweep is to be broken off while no field ends, in seconds."""
 
 Progress = Callable[[int, int], None]
 """Told how many fields are over, and how many there are."""
@@ -48,7 +44,7 @@ def _never() -> bool:
 
 
 class SweepError(KitRobotError):
-    """A sweep that makes no sense, or whose processes broke down."""
+    """A sweep that makes no sense."""
 
 
 @dataclass(frozen=True)
@@ -150,7 +146,8 @@ def run_sweep(
     Ctrl-C (KeyboardInterrupt) among the fields, or `stop`, ends the sweep: what was found until then is given.
 
     Raises:
-        SweepError: a number of the options makes no sense, or a process of the pool died.
+        SweepError: a number of the options makes no sense.
+        PoolError: a process died.
         SweepStoppedError: `stop` said so before the first field.
     """
     _check(options)
@@ -224,36 +221,8 @@ def _run(
         for task in tasks:
             yield list(run_task(simulation, task, stop))
         return
-    # Where there are no processes, these modules cannot be had either.
-    import multiprocessing
-    from concurrent.futures import ProcessPoolExecutor
-    from concurrent.futures.process import BrokenProcessPool
-
     is_plain = not expect_many_runs(work)
-    # Not forked: the threads of this process would be missing in its copies.
-    context = multiprocessing.get_context("spawn")
-    leave_off = context.Event()
-    pool = ProcessPoolExecutor(jobs, context, _begin, (prepared.spec, is_plain, leave_off))
-    over: queue.SimpleQueue[Future[list[Field]]] = queue.SimpleQueue()
-    try:
-        for task in tasks:
-            pool.submit(_work, task).add_done_callback(over.put)
-        left = len(tasks)
-        while left:
-            _go_on(stop)
-            try:
-                yield over.get(timeout=_LOOK_S).result()
-            except queue.Empty:
-                continue
-            left -= 1
-    except BrokenProcessPool as error:
-        raise SweepError(
-            Sentence("a process of the sweep died"),
-            Sentence("perhaps for want of memory: try fewer of them with --jobs"),
-        ) from error
-    finally:
-        leave_off.set()
-        pool.shutdown(wait=True, cancel_futures=True)
+    yield from run_tasks(_work, tasks, jobs, _begin, (prepared.spec, is_plain), stop)
 
 
 _here: list[Any] = []
@@ -261,8 +230,7 @@ _here: list[Any] = []
 
 
 def _begin(spec: RunSpec, is_plain: bool, stop: Any) -> None:
-    """In a process of the pool, once. Ctrl-C is the parent's, which says so to all; it ends when the parent is gone."""
-    end_with_parent()
+    """In a process of the pool, once."""
     _here[:] = [spec.simulation(), stop]
     _here[0].stays_plain = is_plain
 

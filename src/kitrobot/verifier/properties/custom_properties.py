@@ -188,6 +188,25 @@ def _property(model: Model, one: AskedProperty, parsed: Sequence[AgentCondition]
             )
 
 
+def build_run_property(one: AskedProperty, run: Simulation, within_s: float | None = None) -> Property:
+    """Builds a property that is judged by its `monitor` alone, on runs of this mission with any seed.
+
+    Sensors may be free, since a run reads them.
+
+    Args:
+        one: the property.
+        run: a run of the mission.
+        within_s: in how many simulated seconds the second condition is to follow the first one (*after … eventually*);
+            None: for any, judged as `waited_long_enough` says.
+
+    Raises:
+        PropertyError: a condition cannot be parsed, or names something that does not exist.
+    """
+    parsed = [parse_condition(text, team_of(run), declared_of(run)) for _, text in one.conditions]
+    within = None if within_s is None else int(within_s * 1000 / run.tick_ms + 1e-9)
+    return Property(one.name, one.words, monitor=lambda run: _ConditionMonitor(one.form, parsed, run, within))
+
+
 def _not(one: SensedCondition) -> SensedCondition:
     return SensedCondition(one.agents, lambda keys: not one.test(keys), one.reads_shared)
 
@@ -203,9 +222,11 @@ def _both(one: SensedCondition, other: SensedCondition) -> SensedCondition:
 
 
 class _ConditionMonitor:
-    """Monitors a custom property in a run of the simulator."""
+    """Monitors a custom property in a run of the simulator; `within` how many steps a second condition is to follow."""
 
-    def __init__(self, form: Form, conditions: Sequence[AgentCondition], run: Simulation) -> None:
+    def __init__(
+        self, form: Form, conditions: Sequence[AgentCondition], run: Simulation, within: int | None = None
+    ) -> None:
         self._form = form
         self._conditions = conditions
         self._run = run
@@ -218,6 +239,7 @@ class _ConditionMonitor:
         self._known: dict[tuple[int, str, tuple[int, ...]], bool] = {}
         self._waits_since = 0 if form is Form.EVENTUALLY else -1
         self._stayed = False
+        self._within = within
 
     def after_step(self) -> bool:
         first, second = self._holds(self._conditions[0]), self._holds(self._conditions[-1])
@@ -231,14 +253,20 @@ class _ConditionMonitor:
                     self._waits_since = -1
                 elif first and self._waits_since < 0:
                     self._waits_since = self._run.tick
+                return self._is_late()
             case Form.STAYS:
                 broken = self._stayed and not first and not second
                 self._stayed = first and not second
                 return broken
         return False
 
+    def _is_late(self) -> bool:
+        return self._within is not None and 0 <= self._waits_since < self._run.tick - self._within
+
     def at_end(self) -> bool:
-        return self._waits_since >= 0 and waited_long_enough(self._run, self._waits_since)
+        if self._waits_since < 0 or (self._within is not None and self._run.outcome == "time"):
+            return False
+        return waited_long_enough(self._run, self._waits_since)
 
     def _holds(self, condition: AgentCondition) -> bool:
         return condition.holds(self._truth, lambda name: _in_set(self._run, self._run.state.team, name))

@@ -24,6 +24,8 @@ MOMENTS = 24
 """Times that are tried for each fault."""
 MOST_RUNS = 300
 _CHUNK = 50
+_LONG_CHUNK = 2000
+"""Steps that are run at once where events are looked through for a violation, and where only the end counts."""
 _KINDS: dict[int, str] = {
     EventKind.FAIL: "fail",
     EventKind.STALL: "stall",
@@ -74,7 +76,7 @@ def confirm(
     for number, (seed, faults) in enumerate(tries):
         if number >= MOST_RUNS or stop():
             return None
-        tick = _broken_at(one, fresh(seed), faults, stop)
+        tick = violation_tick(one, fresh(seed), faults, stop)
         if tick >= 0:
             return ConfirmedRun(seed, faults, tick)
     return None
@@ -110,11 +112,18 @@ def _moments(
         )
 
 
-def _broken_at(one: Property, run: Simulation, faults: Sequence[InjectedFault], stop: Callable[[], bool]) -> int:
-    """The step in which a run broke the property; -1 if it did not, or the search was stopped."""
+def violation_tick(one: Property, run: Simulation, faults: Sequence[InjectedFault], stop: Callable[[], bool]) -> int:
+    """The step in which a run broke the property; -1 if it did not, or the search was stopped.
+
+    Args:
+        one: the property.
+        run: the run before its first step; it needs a time limit.
+        faults: what is injected besides, in order.
+        stop: polled now and then; True stops the search.
+    """
     left = list(faults)
     monitor = one.monitor(run) if one.monitor is not None else None
-    chunk = _CHUNK if monitor is None else 1
+    chunk = 1 if monitor is not None else _CHUNK if one.seen_as else _LONG_CHUNK
     next_poll = 0
     while run.outcome is None or left:
         if run.tick >= next_poll:
