@@ -1,0 +1,61 @@
+"""What makes the rows of a study: rows by number go in, lines come out, in any order, each once.
+
+An executor is local processes (`local_workers`), this process itself, or a cluster (`cluster`). It loses no row that it
+was given: a run whose process dies is made again, and after `MOST_DEATHS` it is a row that says so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from kitrobot.experiments.plan import Function, Plan
+from kitrobot.experiments.point_runner import DIED, PointRunner, row_bytes
+from kitrobot.sim.jit.policy import expect_many_runs
+from kitrobot.text.sentences import Sentence
+
+MOST_DEATHS = 3
+"""Processes that a run may take along before it is given up."""
+
+STEPS_OF_A_RUN = 1000
+"""About how long a run is, at least, in steps."""
+
+Stop = Callable[[], bool]
+
+
+@dataclass(frozen=True)
+class Work:
+    """Rows of a plan to make; `functions` are its measures in Python, by name."""
+
+    plan: Plan
+    rows: Iterable[int]
+    count: int
+    functions: Mapping[str, Function] = field(default_factory=dict)
+
+    def is_plain(self, robots: int) -> bool:
+        """Whether it is too little for processes to wait for the compiled step; if not, that is made now."""
+        return not expect_many_runs(self.count * robots * STEPS_OF_A_RUN)
+
+
+class Executor(Protocol):
+    """Makes the rows of some work; `stop` ends it early. Each piece that it gives is a line of `point_runner`."""
+
+    def run(self, work: Work, stop: Stop) -> Iterator[bytes]: ...
+
+
+class ThisProcess:
+    """Makes the rows here, one after another."""
+
+    def run(self, work: Work, stop: Stop) -> Iterator[bytes]:
+        """The lines, in the order of the rows."""
+        runner = PointRunner(work.plan, work.functions)
+        for row in work.rows:
+            if stop():
+                return
+            yield runner.run(row)
+
+
+def died_row(plan: Plan, row: int) -> bytes:
+    """The row of a run that took its process along every time."""
+    return row_bytes(plan, row, DIED, Sentence("its process died {count} times", MOST_DEATHS))
