@@ -28,10 +28,12 @@ if TYPE_CHECKING:
         read_program,
         robot,
         save_mission,
+        sweep,
     )
     from kitrobot.compiler.compilation import CompiledProgram
     from kitrobot.diagnostics.model import Diagnostic, KitRobotError
     from kitrobot.diagnostics.problems import ProblemsError
+    from kitrobot.experiments.study import Study
     from kitrobot.graph.model import Arc, Program, Vertex
     from kitrobot.lll.parse_results import ParseResult
     from kitrobot.mission.model import Agent, Goal, Mission, Team
@@ -72,6 +74,7 @@ else:
             "read_program",
             "robot",
             "save_mission",
+            "sweep",
         ),
         "compiler.compilation": ("CompiledProgram",),
         "diagnostics.model": (
@@ -79,6 +82,7 @@ else:
             "KitRobotError",
         ),
         "diagnostics.problems": ("ProblemsError",),
+        "experiments.study": ("Study",),
         "graph.model": (
             "Arc",
             "Program",
@@ -180,6 +184,7 @@ __all__ = [
     "Simulation",
     "Start",
     "Storehouse",
+    "Study",
     "Team",
     "Timing",
     "Vertex",
@@ -196,6 +201,7 @@ __all__ = [
     "read_program",
     "robot",
     "save_mission",
+    "sweep",
 ]
 
 

@@ -71,9 +71,7 @@ Addresses = Annotated[bool, typer.Option("--addresses", help="List all that can 
 Csv = Annotated[bool, typer.Option("--csv", help="table: as CSV.")]
 Parquet = Annotated[bool, typer.Option("--parquet", help="table: as Parquet (`kitrobot[data]`).")]
 Summary = Annotated[bool, typer.Option("--summary", help="table: a line for each point, with intervals.")]
-TraceOf = Annotated[
-    str | None, typer.Option("--trace", metavar="ROW", help="Record the run of a row (number or id).")
-]
+TraceOf = Annotated[str | None, typer.Option("--trace", metavar="ROW", help="Record the run of a row (number or id).")]
 AsJson = Annotated[bool, typer.Option("--json", help="Plain values instead of text.")]
 
 
@@ -105,7 +103,7 @@ def sweep_missions(
     is 0 when all runs are made, whatever came of them.
     """
     from kitrobot.experiments.plan import StudyRequest
-    from kitrobot.experiments.study import Study
+    from kitrobot.experiments.study import Study, choose_executor
     from kitrobot.experiments.study_folder import is_study
 
     if words[0] == MERGE and len(words) > 1:
@@ -130,7 +128,7 @@ def sweep_missions(
         study = Study(folder)
         print_data(f"{study.record(study.row(int(trace) if trace.isdecimal() else trace), output)}\n")
     else:
-        _run(folder, shard, _executor(jobs, cluster))
+        _run(folder, shard, choose_executor(jobs, cluster))
         _show_status(folder, as_json)
 
 
@@ -149,22 +147,6 @@ def _begin(file: Path, output: Path | None, request: StudyRequest) -> Path:
     folder = output if output is not None else Path(f"{plan.name}-study")
     begin_study(folder, plan)
     return folder
-
-
-def _executor(jobs: int | None, cluster: str | None) -> Executor:
-    from kitrobot.experiments.executor import ThisProcess
-    from kitrobot.workspace.child_processes import cores, has_processes
-
-    if cluster is not None:
-        from kitrobot.experiments.cluster import DaskCluster
-
-        return DaskCluster(cluster, jobs)
-    count = jobs or cores()
-    if count < 2 or not has_processes():
-        return ThisProcess()
-    from kitrobot.experiments.local_workers import LocalWorkers
-
-    return LocalWorkers(count)
 
 
 def _run(folder: Path, shard: str | None, executor: Executor) -> None:

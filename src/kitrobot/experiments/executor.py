@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Protocol
 
 from kitrobot.experiments.plan import Function, Plan
-from kitrobot.experiments.point_runner import DIED, PointRunner, row_bytes
+from kitrobot.experiments.point_runner import DIED, Pace, PointRunner, row_bytes
 from kitrobot.sim.jit.policy import expect_many_runs
 from kitrobot.text.sentences import Sentence
 
@@ -20,6 +20,9 @@ MOST_DEATHS = 3
 
 STEPS_OF_A_RUN = 1000
 """About how long a run is, at least, in steps."""
+
+WORTH_WAITING = 1_000_000
+"""Steps of one robot in many runs for which a process waits some seconds for the compiled step before the first."""
 
 Stop = Callable[[], bool]
 
@@ -33,9 +36,12 @@ class Work:
     count: int
     functions: Mapping[str, Function] = field(default_factory=dict)
 
-    def is_plain(self, robots: int) -> bool:
-        """Whether it is too little for processes to wait for the compiled step; if not, that is made now."""
-        return not expect_many_runs(self.count * robots * STEPS_OF_A_RUN)
+    def pace(self) -> Pace:
+        """How its runs come to the compiled step; where they wait for it, it is made now."""
+        steps = self.count * max(1, self.plan.mission.count("<agent ")) * STEPS_OF_A_RUN
+        if not expect_many_runs(steps):
+            return Pace.PLAIN
+        return Pace.COMPILED if steps >= WORTH_WAITING else Pace.AS_IT_COMES
 
 
 class Executor(Protocol):
@@ -49,7 +55,7 @@ class ThisProcess:
 
     def run(self, work: Work, stop: Stop) -> Iterator[bytes]:
         """The lines, in the order of the rows."""
-        runner = PointRunner(work.plan, work.functions)
+        runner = PointRunner(work.plan, work.functions, work.pace())
         for row in work.rows:
             if stop():
                 return

@@ -19,7 +19,7 @@ from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.experiments.addresses import ExperimentError
 from kitrobot.experiments.executor import MOST_DEATHS, Stop, Work, died_row
 from kitrobot.experiments.plan import Function, Plan
-from kitrobot.experiments.point_runner import PointRunner
+from kitrobot.experiments.point_runner import Pace, PointRunner
 from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.child_processes import end_with_parent
 
@@ -59,13 +59,12 @@ class LocalWorkers:
 
         # Not forked: the threads of this process would be missing in its copies.
         context = multiprocessing.get_context("spawn")
-        # A mission's team is small beside its runs.
-        is_plain = work.is_plain(1)
+        pace = work.pace()
         waiting, again, deaths, left = iter(work.rows), deque[int](), Counter[int](), work.count
         try:
             while left and not stop():
                 while len(self.workers) < min(self._jobs, left):
-                    self.workers.append(_begin(context, work, is_plain))
+                    self.workers.append(_begin(context, work, pace))
                 for worker in self.workers:
                     if worker.is_ready:
                         self._give(worker, waiting, again, left)
@@ -133,19 +132,19 @@ class LocalWorkers:
         self.workers.clear()
 
 
-def _begin(context: Any, work: Work, is_plain: bool) -> _Worker:
+def _begin(context: Any, work: Work, pace: Pace) -> _Worker:
     mine, theirs = context.Pipe()
-    process = context.Process(target=_work, args=(theirs, work.plan, dict(work.functions), is_plain), daemon=True)
+    process = context.Process(target=_work, args=(theirs, work.plan, dict(work.functions), pace), daemon=True)
     process.start()
     theirs.close()
     return _Worker(process, mine)
 
 
-def _work(line: Any, plan: Plan, functions: Mapping[str, Function], is_plain: bool) -> None:
+def _work(line: Any, plan: Plan, functions: Mapping[str, Function], pace: Pace) -> None:
     """In a process, until its supervisor is gone. An empty message says that it is ready."""
     end_with_parent()
     try:
-        runner = PointRunner(plan, functions, is_plain)
+        runner = PointRunner(plan, functions, pace)
     except KitRobotError:
         return  # It was opened where the study was planned: this machine has changed since.
     with suppress(EOFError, OSError):

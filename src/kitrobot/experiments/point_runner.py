@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from enum import Enum, auto
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -35,6 +36,14 @@ STRETCH = 20_000
 """Steps in one call of a run that nobody measures on the way."""
 
 
+class Pace(Enum):
+    """How runs come to the compiled step: never, once it is worth it for this process, or from the first one on."""
+
+    PLAIN = auto()
+    AS_IT_COMES = auto()
+    COMPILED = auto()
+
+
 def row_bytes(plan: Plan, row: int, outcome: str, sentence: str, told: Mapping[str, Any] | None = None) -> bytes:
     """A row of a study as a line of JSON, with its break."""
     made = {"row": row, "id": plan.row_id(row), "seed": plan.seed(row), "point": plan.point(row)}
@@ -59,13 +68,15 @@ class PointRunner:
     Args:
         plan: the study.
         functions: its measures in Python, by name.
-        is_plain: whether CPython runs every step.
+        pace: how its runs come to the compiled step.
     """
 
-    def __init__(self, plan: Plan, functions: Mapping[str, Function] | None = None, is_plain: bool = False) -> None:
+    def __init__(
+        self, plan: Plan, functions: Mapping[str, Function] | None = None, pace: Pace = Pace.AS_IT_COMES
+    ) -> None:
         self._plan = plan
         self._functions = functions or {}
-        self._is_plain = is_plain
+        self._pace = pace
         self._opened = open_planned(plan)
         self._addresses = mission_addresses(self._opened)
         self._point = -1
@@ -129,9 +140,11 @@ class PointRunner:
             try:
                 self._prepared = self.prepare(row)
                 run = self._prepared.simulation
-                run.stays_plain = self._is_plain
+                run.stays_plain = self._pace is Pace.PLAIN
                 self._meters = {one.name: make_meter(one, run) for one in self._plan.measures}
                 run.keep_beginning()
+                if self._pace is Pace.COMPILED:
+                    run.compile_step()
             except KitRobotError as error:
                 self._refusal = error
         if self._refusal is not None:

@@ -1,162 +1,142 @@
-"""A study as it is read: its plan, its rows so far, and the run behind each row.
-
-Rows are read from the folder as they are asked for, so a study that is still being made can be looked at.
-"""
+"""Studies in Python: `sweep` begins one or goes on with it, `Study` gives its rows, numbers, tables and runs."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
-from functools import cached_property
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from csv import writer
+from io import StringIO
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
-from kitrobot.experiments.addresses import ExperimentError
-from kitrobot.experiments.measures import Number
-from kitrobot.experiments.plan import Function, Plan
-from kitrobot.experiments.point_runner import DIED, ERROR, PointRunner
-from kitrobot.experiments.study_folder import open_study, study_rows
+from kitrobot.experiments.executor import Executor, ThisProcess
+from kitrobot.experiments.plan import Function, StudyRequest, plan_study
+from kitrobot.experiments.seeds import seeds_of
+from kitrobot.experiments.study_folder import begin_study
+from kitrobot.experiments.study_rows import StudyRows
+from kitrobot.experiments.study_run import Progress, run_study
+from kitrobot.experiments.summary import USUAL_CONFIDENCE, Comparison, PointSummary, compare, summarise
+from kitrobot.experiments.tables import arrow_table, write_csv, write_parquet
 from kitrobot.experiments.variant import Value
-from kitrobot.text.json_text import from_json
-from kitrobot.text.sentences import Sentence
+from kitrobot.workspace.child_processes import cores, has_processes
+from kitrobot.workspace.mission_loader import OpenMission
 
-NO_RUN = (ERROR, DIED)
-"""Outcomes of rows behind which there is no run."""
-
-
-@dataclass(frozen=True)
-class StudyRow:
-    """One run of a study.
-
-    Attributes:
-        number: its number in the plan.
-        id: 24 hexadecimal digits, the hash of what decides the run.
-        seed: where its chance began.
-        point: the values that were put into the mission, by address.
-        outcome: done, failed, stuck or time; error for a mission that cannot be run with these values, died for one
-            whose process died every time.
-        sentence: why.
-        seconds: simulated time; None without a run.
-        measures: what was measured, by name; None for nothing, as of a condition that never held.
-        wrong: why a measure in Python gave no number, by name.
-    """
-
-    number: int
-    id: str
-    seed: int
-    point: Mapping[str, Value]
-    outcome: str
-    sentence: str
-    seconds: float | None
-    measures: Mapping[str, Number]
-    wrong: Mapping[str, str]
+Axes = Mapping[str, Sequence[Value] | str]
+Measures = Sequence[str] | Mapping[str, str | Function]
 
 
-class Study:
-    """A study in its folder; `kitrobot.sweep` makes one.
+class Study(StudyRows):
+    """A study in its folder: an iterable of `StudyRow`, with summaries, comparisons and tables.
 
     Args:
         folder: where it is.
-        functions: its measures in Python, by name; `record` needs them.
+        functions: its measures in Python, by name; recording a run needs them.
 
     Raises:
         ExperimentError: there is none.
     """
 
-    def __init__(self, folder: Path, functions: Mapping[str, Function] | None = None) -> None:
-        self.folder = folder
-        self.plan: Plan = open_study(folder)
-        self._functions = functions or {}
+    _kept: TemporaryDirectory[str] | None = None
+    """The folder of a study that is nowhere else: it goes with the study."""
 
-    def __iter__(self) -> Iterator[StudyRow]:
-        """The rows that are there, each once, in the order in which they ended."""
-        for row in study_rows(self.folder, self.plan):
-            yield study_row(row)
+    def summary(self, ci: float = USUAL_CONFIDENCE) -> list[PointSummary]:
+        """Every point with its outcomes and the interval of each measure, in the order of the plan.
 
-    def __len__(self) -> int:
-        return sum(1 for _ in study_rows(self.folder, self.plan))
+        Args:
+            ci: the share (0…1) of intervals that hold the truth.
+        """
+        return summarise(self, ci)
 
-    def __repr__(self) -> str:
-        return f"Study({str(self.folder)!r}: {len(self)} of {self.plan.rows} runs)"
+    def compare(self, address: str, measure: str = "", ci: float = USUAL_CONFIDENCE) -> list[Comparison]:
+        """Each value of an address against its first: the differences of runs with all else, and the seed, in common.
 
-    @property
-    def rows(self) -> list[StudyRow]:
-        """The rows that are there, in the order of the plan: points, and the seeds of each."""
-        return sorted(self, key=lambda row: row.number)
-
-    def worst(self, measure: str) -> StudyRow:
-        """The row with the largest number.
+        Args:
+            address: what varies.
+            measure: of what; the first one that is measured unless it is named.
+            ci: the share (0…1) of intervals that hold the truth.
 
         Raises:
-            ExperimentError: nothing of that name was measured.
+            ExperimentError: nothing of that name varies, or was measured.
         """
-        return self._extreme(measure, lambda number: -number)
+        return compare(self, address, measure or self.plan.measured[0], ci)
 
-    def best(self, measure: str) -> StudyRow:
-        """The row with the smallest number.
+    def to_csv(self, file: Path | str) -> None:
+        """Writes the rows as a CSV file."""
+        with Path(file).open("w", encoding="utf-8", newline="") as out:
+            write_csv(self, out)
 
-        Raises:
-            ExperimentError: nothing of that name was measured.
-        """
-        return self._extreme(measure, lambda number: number)
+    def to_parquet(self, file: Path | str) -> None:
+        """Writes the rows as a Parquet file (`kitrobot[data]`)."""
+        write_parquet(self, Path(file))
 
-    def row(self, word: int | str) -> StudyRow:
-        """The row of that number, or whose id begins so.
+    def __arrow_c_stream__(self, requested_schema: Any = None) -> Any:
+        """The rows for whatever reads Arrow: `pandas`, `polars`, DuckDB, pyarrow (`kitrobot[data]`)."""
+        return arrow_table(self).__arrow_c_stream__(requested_schema)
 
-        Raises:
-            ExperimentError: it is not there.
-        """
-        text = str(word)
-        for row in self:
-            if row.number == word or row.id.startswith(text):
-                return row
-        raise ExperimentError(Sentence("the study has no row `{row}`", text))
+    def to_pandas(self) -> Any:
+        """The rows as a `pandas.DataFrame`; pandas must be there, arro3 need not."""
+        import pandas
 
-    def record(self, row: StudyRow, file: Path | None = None) -> Path:
-        """Records the very run of a row as a `.krtrace`, in the study's folder unless another file is named.
-
-        Raises:
-            ExperimentError: there is no run behind the row, or it comes out differently with this version.
-            TraceError: the file cannot be written.
-        """
-        if row.outcome in NO_RUN:
-            raise ExperimentError(Sentence("there is no run behind this row: {reason}", row.sentence))
-        path = file if file is not None else self.folder / f"{row.id}.krtrace"
-        again = study_row(from_json(self._runner.record(row.number, path)))
-        if again != row:
-            raise ExperimentError(
-                Sentence("the run of row {row} comes out differently", row.number),
-                Sentence("this study was begun with KitRobot {version}", self.plan.version),
-            )
-        return path
-
-    @cached_property
-    def _runner(self) -> PointRunner:
-        return PointRunner(self.plan, self._functions)
-
-    def _extreme(self, measure: str, key: Callable[[float], float]) -> StudyRow:
-        found: tuple[float, int, StudyRow] | None = None
-        for row in self:
-            number = row.measures.get(measure)
-            if number is not None and math.isfinite(number):
-                one = (key(number), row.number, row)
-                found = one if found is None or one[:2] < found[:2] else found
-        if found is None:
-            raise ExperimentError(Sentence("no row of the study has the measure `{name}`", measure))
-        return found[2]
+        text = StringIO()
+        write_csv(self, text)
+        text.seek(0)
+        return pandas.read_csv(text)
 
 
-def study_row(row: Mapping[str, Any]) -> StudyRow:
-    """A row from what its line says."""
-    return StudyRow(
-        row["row"],
-        row["id"],
-        row["seed"],
-        row["point"],
-        row["outcome"],
-        row["sentence"],
-        row.get("seconds"),
-        row.get("measures", {}),
-        row.get("wrong", {}),
-    )
+def sweep_mission(
+    opened: OpenMission,
+    *,
+    vary: Axes | None = None,
+    seeds: Iterable[int] = (1,),
+    measures: Measures = (),
+    folder: Path | None = None,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
+    **chosen: Any,
+) -> Study:
+    """Runs a mission many times; see `kitrobot.sweep`. `chosen` are other fields of `StudyRequest`."""
+    texts, functions = _measures(measures)
+    axes = [(name, values if isinstance(values, str) else _axis(values)) for name, values in (vary or {}).items()]
+    request = StudyRequest(axes, seeds=seeds_of(seeds).text, measures=texts, functions=functions or None, **chosen)
+    kept = TemporaryDirectory() if folder is None else None
+    place = Path(kept.name) / "study" if kept is not None else folder
+    assert place is not None, "one of the two"
+    begin_study(place, plan_study(opened, request))
+    run_study(place, executor, progress=progress, functions=functions)
+    study = Study(place, functions)
+    study._kept = kept
+    return study
+
+
+def choose_executor(jobs: int | None, cluster: str | None) -> Executor:
+    """What makes the rows: a Dask cluster where one is named, else so many processes (None: one a core), or this one.
+
+    Raises:
+        ExperimentError: Dask is needed and not installed.
+    """
+    if cluster is not None:
+        from kitrobot.experiments.cluster import DaskCluster
+
+        return DaskCluster(cluster, jobs)
+    count = jobs or cores()
+    if count < 2 or not has_processes():
+        return ThisProcess()
+    from kitrobot.experiments.local_workers import LocalWorkers
+
+    return LocalWorkers(count)
+
+
+def _axis(values: Sequence[Value]) -> str:
+    out = StringIO()
+    writer(out, lineterminator="").writerow(values)
+    return out.getvalue()
+
+
+def _measures(given: Measures) -> tuple[list[str], dict[str, Function]]:
+    if not isinstance(given, Mapping):
+        return list(given), {}
+    texts = [f"{name}={text}" for name, text in given.items() if isinstance(text, str)]
+    functions: dict[str, Callable[[Any], Any]] = {
+        name: function for name, function in given.items() if not isinstance(function, str)
+    }
+    return texts, functions

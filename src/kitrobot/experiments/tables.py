@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO
 
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.experiments.study import Study, StudyRow
+from kitrobot.experiments.study_rows import StudyRow, StudyRows
 from kitrobot.text.sentences import Sentence
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ def row_values(plan: Plan, row: StudyRow) -> list[Any]:
     return values + [row.measures.get(name) for name in plan.measured if name != "seconds"]
 
 
-def write_csv(study: Study, out: TextIO) -> None:
+def write_csv(study: StudyRows, out: TextIO) -> None:
     """The table as CSV (RFC 4180 with plain line breaks): a line of names, then a line for each row."""
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(column_names(study.plan))
@@ -43,7 +43,7 @@ def write_csv(study: Study, out: TextIO) -> None:
         writer.writerow(["" if value is None else value for value in row_values(study.plan, row)])
 
 
-def arrow_table(study: Study) -> Any:
+def arrow_table(study: StudyRows) -> Any:
     """The table as an `arro3.core.Table`.
 
     Raises:
@@ -58,7 +58,7 @@ def arrow_table(study: Study) -> Any:
     return core.Table.from_arrays([core.Array(column, type=_kind(core, column)) for column in columns], names=names)
 
 
-def write_parquet(study: Study, file: Path) -> None:
+def write_parquet(study: StudyRows, file: Path) -> None:
     """The table as a Parquet file.
 
     Raises:

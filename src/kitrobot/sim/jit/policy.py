@@ -77,8 +77,10 @@ class JitPolicy:
 
     def compiled(self) -> Advance | None:
         """The compiled step, if it is worth it and there; None: go on plain."""
-        if self._advance is None and (done.steps >= WORTH or (self._robots >= CROWD and self._work >= CROWD_WORTH)):
-            step.ask()
+        if self._advance is None:
+            if done.steps >= WORTH or (self._robots >= CROWD and self._work >= CROWD_WORTH):
+                step.ask()
+            # Another run of this process may have it already.
             self._advance = step.made
         return self._advance
 
