@@ -67,7 +67,9 @@ class DaskCluster:
                 cluster.close()
 
     def _local(self, distributed: Any) -> Any:
-        return distributed.LocalCluster(n_workers=self._jobs, threads_per_worker=1, dashboard_address=None)
+        return distributed.LocalCluster(
+            n_workers=self._jobs, threads_per_worker=1, dashboard_address=None, silence_logs=50
+        )
 
     def _client(self, distributed: Any, where: Any) -> Any:
         try:

@@ -35,6 +35,8 @@ def world_addresses(world: World) -> Iterator[Address]:
         for at, part in enumerate(getattr(world, field)):
             name = getattr(part, "name", str(at + 1))
             for attribute, least, most, whole, unit in _numbers(type(part)):
+                if word == "start" and not part.road:
+                    continue  # Only on a road is a start so many mm along.
                 current = getattr(part, attribute)
                 put = _put_part(field, at, attribute)
                 yield Address(f"{word}.{name}.{_UNIT.sub('', attribute)}", current, put, least, most, whole, unit=unit)
