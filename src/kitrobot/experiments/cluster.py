@@ -95,11 +95,13 @@ class _Batches:
     def run(self, stop: Stop) -> Iterator[bytes]:
         waiting, left = iter(self._work.rows), self._work.count
         while left and not stop():
-            self._fill(waiting, left)
-            for future in self._ended():
-                for line in self._lines(future):
-                    left -= 1
-                    yield line
+            try:
+                self._fill(waiting, left)
+                lines = [line for future in self._ended() for line in self._lines(future)]
+            except (OSError, RuntimeError, CancelledError, asyncio.CancelledError) as error:
+                raise _gone() from error
+            left -= len(lines)
+            yield from lines
 
     def _fill(self, waiting: Iterator[int], left: int) -> None:
         threads = max(1, sum(self._client.nthreads().values()))
@@ -121,8 +123,6 @@ class _Batches:
                 self._distributed.wait(list(self._under_way), timeout=_LOOK_S, return_when="FIRST_COMPLETED")
         except TimeoutError:
             return []
-        except (OSError, RuntimeError, CancelledError, asyncio.CancelledError) as error:
-            raise _gone() from error
         return [future for future in self._under_way if future.done()]
 
     def _lines(self, future: Any) -> list[bytes]:

@@ -96,7 +96,7 @@ def run_study(
     if missing:
         raise ExperimentError(
             Sentence("the measure `{name}` is a Python function", missing[0]),
-            Sentence("go on with this study in Python: kitrobot.sweep(…, measures={{…}}, folder=…)"),
+            Sentence("go on with this study in Python, by `kitrobot.sweep`"),
         )
     shard = shard if shard is not None else Shard()
     with RowWriter(folder, shard.file) as writer:
