@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator
 from dataclasses import fields, replace
@@ -41,11 +42,14 @@ def world_addresses(world: World) -> Iterator[Address]:
                 put = _put_part(field, at, attribute)
                 yield Address(f"{word}.{name}.{_UNIT.sub('', attribute)}", current, put, least, most, whole, unit=unit)
             if word == "start" and part.pose is not None:
-                for attribute in ("x_mm", "y_mm", "heading_rad"):
-                    put = _put_pose(at, attribute)
-                    current = getattr(part.pose, attribute)
-                    short, unit = _UNIT.sub("", attribute), attribute.rsplit("_", 1)[1]
-                    yield Address(f"start.{name}.{short}", current, put, -MAX_SIZE_MM, MAX_SIZE_MM, unit=unit)
+                pose = part.pose
+                for attribute, now in (("x_mm", pose.x_mm), ("y_mm", pose.y_mm)):
+                    put = _put_pose(at, attribute, 1.0)
+                    short = _UNIT.sub("", attribute)
+                    yield Address(f"start.{name}.{short}", now, put, -MAX_SIZE_MM, MAX_SIZE_MM, unit="mm")
+                heading = round(math.degrees(pose.heading_rad), 3)
+                put = _put_pose(at, "heading_rad", math.pi / 180)
+                yield Address(f"start.{name}.heading", heading, put, -360, 360, unit="°")
     for attribute in ("width_mm", "height_mm"):
         current = getattr(world, attribute)
         put = _put_size(attribute)
@@ -77,12 +81,12 @@ def _put_part(field: str, at: int, attribute: str) -> Put:
     return put
 
 
-def _put_pose(at: int, attribute: str) -> Put:
+def _put_pose(at: int, attribute: str, factor: float) -> Put:
     def put(variant: Variant, value: Value) -> None:
         starts = list(variant.world.starts)
         pose = starts[at].pose
         assert pose is not None, "it has an address"
-        starts[at] = replace(starts[at], pose=replace(pose, **{attribute: float(value)}))
+        starts[at] = replace(starts[at], pose=replace(pose, **{attribute: factor * float(value)}))
         variant.world = replace(variant.world, starts=tuple(starts))
 
     return put
