@@ -35,8 +35,8 @@ def _program(name: str, *arguments: str, says: str) -> Iterator[tuple[subprocess
     """A program of Dask's, once it has said that; and what it said there."""
     command = [sys.executable, "-m", f"distributed.cli.{name}", *arguments]
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stderr is not None
         try:
-            assert process.stderr is not None
             found = next(match for line in process.stderr if (match := re.search(says, line)))
             yield process, found[1]
         finally:

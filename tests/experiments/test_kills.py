@@ -9,6 +9,7 @@ import subprocess
 import sys
 from itertools import islice
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -26,6 +27,7 @@ PLAN = short_plan("1-20")
 DIES = """
 import os, signal, sys
 from pathlib import Path
+from typing import Any
 from kitrobot.experiments import study_run
 from kitrobot.experiments.local_workers import LocalWorkers
 from kitrobot.experiments.study_run import run_study
@@ -87,7 +89,7 @@ def test_a_killed_supervisor_costs_no_row(tmp_path, undisturbed, seed):
 
 def test_processes_end_when_nobody_wants_more_rows():
     executor = LocalWorkers(2)
-    lines = executor.run(Work(PLAN, range(PLAN.rows), PLAN.rows), lambda: False)
+    lines: Any = executor.run(Work(PLAN, range(PLAN.rows), PLAN.rows), lambda: False)
     assert len(list(islice(lines, 3))) == 3
     processes = [worker.process for worker in executor.workers]
     lines.close()

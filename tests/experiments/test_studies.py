@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 from dataclasses import replace
+from typing import Any
 
 import pytest
 from hypothesis import given, settings
@@ -63,7 +64,8 @@ def _rows(lines):
     from kitrobot.experiments.study_rows import study_row
     from kitrobot.text.json_text import from_json
 
-    return [study_row(from_json(line), None) for line in lines]
+    nowhere: Any = None
+    return [study_row(from_json(line), nowhere) for line in lines]
 
 
 def test_points_have_the_same_seeds_and_each_run_an_id_of_its_own():
@@ -81,8 +83,7 @@ def test_order_shards_and_restarts_never_change_a_row(tmp_path_factory, undistur
     count = data.draw(st.integers(1, 4))
     for number in data.draw(st.permutations(range(1, count + 1))):
         left = data.draw(st.integers(0, PLAN.rows))
-        asked = iter(range(left))
-        run_study(folder, shard=Shard(number, count), stop=lambda asked=asked: next(asked, None) is None)
+        run_study(folder, shard=Shard(number, count), stop=iter([False] * left + [True]).__next__)
         run_study(folder, shard=Shard(number, count))
     assert sorted_rows(folder) == undisturbed
     assert finished_rows(folder, PLAN) == b"\1" * PLAN.rows
@@ -225,6 +226,7 @@ def test_a_measure_in_python_gets_the_recording_and_one_that_is_no_number_is_tol
         run_study(tmp_path)
     assert run_study(tmp_path, functions=functions)
     for row in StudyRows(tmp_path, functions):
+        assert row.seconds is not None
         assert (row.measures["last"], row.measures["nan"], row.measures["wrong"]) == (row.seconds * 50, None, None)
         assert row.wrong["nan"] == "the measure `nan` gave no number"
         assert "TypeError" in row.wrong["wrong"]
@@ -237,6 +239,7 @@ def test_the_run_behind_a_row_is_recorded_and_is_that_very_run(tmp_path):
     for row in (study.worst("distance"), study.best("distance"), study.row(4), study.row(study.rows[5].id[:12])):
         trace = row.replay()
         told = trace.reader.outcome
+        assert row.seconds is not None
         trace.reader.close()
         assert (told["outcome"], told["sentence"], told["ticks"]) == (row.outcome, row.sentence, row.seconds * 50)
     with pytest.raises(ExperimentError, match="no row `99`"):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import sys
+from typing import Any
 
 import pytest
 
@@ -19,8 +20,13 @@ from tests.experiments.missions import last_tick, short_mission, speed_address
 def study():
     """Two points of four seeds, with words and a missing number."""
     opened = short_mission()
-    measures = {"seconds": "seconds", "seed": "ticks", "never": "first any ann (Captor.LessThan(0))", "last": last_tick}
-    vary = {speed_address(opened): [30, 60], "breakdown.rule": "tow"}
+    measures: dict[str, Any] = {
+        "seconds": "seconds",
+        "seed": "ticks",
+        "never": "first any ann (Captor.LessThan(0))",
+        "last": last_tick,
+    }
+    vary: dict[str, Any] = {speed_address(opened): [30, 60], "breakdown.rule": "tow"}
     return kitrobot.sweep(opened, vary=vary, seeds=range(1, 5), measures=measures)
 
 
@@ -28,7 +34,7 @@ def test_a_study_in_python_is_its_rows(study):
     assert isinstance(study, Study)
     assert [row.number for row in study.rows] == list(range(8))
     assert "8 of 8 runs" in repr(study)
-    assert study.worst("last").measures["last"] == max(row.measures["last"] for row in study)
+    assert study.worst("last").measures["last"] == max(row.measures["last"] or 0 for row in study)
 
 
 def test_csv_has_a_column_for_everything_and_a_line_for_each_row(study, tmp_path):

@@ -77,10 +77,8 @@ class JitPolicy:
 
     def compiled(self) -> Advance | None:
         """The compiled step, if it is worth it and there; None: go on plain."""
-        if self._advance is None:
-            if done.steps >= WORTH or (self._robots >= CROWD and self._work >= CROWD_WORTH):
-                step.ask()
-            # Another run of this process may have it already.
+        if self._advance is None and (done.steps >= WORTH or (self._robots >= CROWD and self._work >= CROWD_WORTH)):
+            step.ask()
             self._advance = step.made
         return self._advance
 
