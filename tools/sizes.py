@@ -29,6 +29,7 @@ EXCEPTIONS = {
             ("src/kitrobot/cli/bench.py: try_parts", "parameters"),
             ("src/kitrobot/cli/deploy.py: deploy_program", "parameters"),
             ("src/kitrobot/cli/probability.py: estimate_probability", "parameters"),
+            ("src/kitrobot/cli/experiments.py: sweep_missions", "parameters"),
             ("src/kitrobot/cli/run.py: run_mission", "parameters"),
             ("src/kitrobot/cli/team.py: run_team", "parameters"),
             ("src/kitrobot/cli/verify.py: verify_mission", "parameters"),

@@ -48,3 +48,27 @@ class Rovers(mesa.Model):
         """So many steps of all agents."""
         for _ in range(steps):
             self.agents.do("step")
+
+
+class RoversInBatch(Rovers):
+    """The same as Mesa's batch runner takes them: seeded by a parameter, and a mean that is collected."""
+
+    def __init__(self, robots: int, spacing: float, run: int) -> None:
+        super().__init__(robots, spacing)
+        self.random.seed(run)
+        self.datacollector = mesa.DataCollector(
+            model_reporters={"x": lambda model: float(np.mean([agent.position[0] for agent in model.agents]))}
+        )
+
+    def step(self) -> None:
+        self.go(1)
+        self.datacollector.collect(self)
+
+
+def batch(robots: int, spacing: float, seeds: int, steps: int) -> int:
+    """So many runs through `batch_run`, in this process; how many rows came of them."""
+    parameters = {"robots": robots, "spacing": spacing, "run": range(seeds)}
+    found = mesa.batch_run(
+        RoversInBatch, parameters, max_steps=steps - 1, data_collection_period=-1, display_progress=False
+    )
+    return len(found)

@@ -29,10 +29,12 @@ if TYPE_CHECKING:
         read_program,
         robot,
         save_mission,
+        sweep,
     )
     from kitrobot.compiler.compilation import CompiledProgram
     from kitrobot.diagnostics.model import Diagnostic, KitRobotError
     from kitrobot.diagnostics.problems import ProblemsError
+    from kitrobot.experiments.study import Study
     from kitrobot.graph.model import Arc, Program, Vertex
     from kitrobot.lll.parse_results import ParseResult
     from kitrobot.mission.model import Agent, Goal, Mission, Team
@@ -74,6 +76,7 @@ else:
             "read_program",
             "robot",
             "save_mission",
+            "sweep",
         ),
         "compiler.compilation": ("CompiledProgram",),
         "diagnostics.model": (
@@ -81,6 +84,7 @@ else:
             "KitRobotError",
         ),
         "diagnostics.problems": ("ProblemsError",),
+        "experiments.study": ("Study",),
         "graph.model": (
             "Arc",
             "Program",
@@ -182,6 +186,7 @@ __all__ = [
     "Simulation",
     "Start",
     "Storehouse",
+    "Study",
     "Team",
     "Timing",
     "Vertex",
@@ -199,6 +204,7 @@ __all__ = [
     "read_program",
     "robot",
     "save_mission",
+    "sweep",
 ]
 
 

@@ -7,16 +7,18 @@ number the run of that file. Left to others: everything else; this is a door lik
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from os import PathLike, fspath
 from pathlib import Path
-from typing import TYPE_CHECKING, TypedDict, Unpack
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
 from kitrobot.compiler.compilation import CompiledProgram, compile_lll, compile_text
 from kitrobot.compiler.compilation import compile_program as compile_graph
 from kitrobot.compiler.program.checker import check
 from kitrobot.compiler.text.lll_to_graph import lll_to_graph
 from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.experiments.study import Study, choose_executor, sweep_mission
 from kitrobot.graph.model import Program
 from kitrobot.lll.parse_results import ParseResult
 from kitrobot.lll.parse_results import parse as parse_lll
@@ -30,6 +32,7 @@ from kitrobot.workspace.mission_loader import OpenMission, read_mission_data
 from kitrobot.workspace.mission_loader import open_mission as open_file
 from kitrobot.workspace.robots import find_robot
 from kitrobot.workspace.search_path import SearchPath
+from kitrobot.workspace.traces import OpenTrace
 
 if TYPE_CHECKING:
     from kitrobot.experiments.probability import Probability, Progress
@@ -70,6 +73,53 @@ def open_mission(mission: str | PathLike[str] | Mission, *, folder: str | PathLi
     if isinstance(mission, Mission):
         return read_mission_data(write_mission(mission), UNSAVED, SearchPath(Path(folder)))
     return open_file(Path(mission))
+
+
+def sweep(
+    mission: str | PathLike[str] | Mission | OpenMission,
+    *,
+    vary: Mapping[str, Sequence[int | float | str] | str] | None = None,
+    seeds: Iterable[int] = (1,),
+    measures: Sequence[str] | Mapping[str, str | Callable[[OpenTrace], float | None]] = (),
+    folder: str | PathLike[str] | None = None,
+    jobs: int | None = 1,
+    cluster: str | None = None,
+    **chosen: Any,
+) -> Study:
+    """Runs a mission many times while numbers of it vary, and gives the study. What is there already is not run again.
+
+    Args:
+        mission: as for `open_mission`, or a mission that is open.
+        vary: values by address (`kitrobot sweep FILE --addresses` lists them): a list, or a text such as `30:60:5`,
+            `2..6`, `lhs(20)`. Every combination is run unless `is_zip=True`.
+        seeds: the seeds of each point.
+        measures: what is measured, such as `distance` or `time any carrier-1 (Cargo.IsPressed())`; or by name, where a
+            Python function takes the recording of a run (`OpenTrace`) and gives a number or None.
+        folder: where the study is kept, to go on with it later; without one it goes with the `Study`.
+        jobs: how many processes; None: one a core. More than one need the `if __name__ == "__main__":` of a script.
+        cluster: the address of a Dask scheduler, or `local` (`kitrobot[cluster]`).
+        chosen: `seconds` (600), `fail_rate` (0), `is_zip` (False), `table` (a CSV file of points).
+
+    Raises:
+        ProblemsError: the mission has errors.
+        KitRobotError: something that was asked for makes no sense, or the folder holds another study.
+
+    Examples:
+        >>> import kitrobot
+        >>> study = kitrobot.sweep("square", vary={"fail-rate": [0, 0.5]}, seeds=range(1, 3))
+        >>> [(row.point["fail-rate"], row.seed, row.outcome) for row in study.rows][:2]
+        [(0, 1, 'done'), (0, 2, 'done')]
+    """
+    opened = mission if isinstance(mission, OpenMission) else open_mission(mission)
+    return sweep_mission(
+        opened,
+        vary=vary,
+        seeds=seeds,
+        measures=measures,
+        folder=Path(folder) if folder is not None else None,
+        executor=choose_executor(jobs, cluster),
+        **chosen,
+    )
 
 
 def save_mission(mission: Mission, path: str | PathLike[str]) -> None:

@@ -10,8 +10,9 @@ from kitrobot.verifier.exploration.budget import Budget
 from kitrobot.verifier.model.abstraction import abstract_run
 from kitrobot.verifier.model.model import Model, State
 from kitrobot.verifier.properties.conditions import PropertyError, parse_condition
-from kitrobot.verifier.properties.custom_properties import build_custom_properties, property_variables, team_of
+from kitrobot.verifier.properties.custom_properties import build_custom_properties, property_variables
 from kitrobot.verifier.properties.properties import Condition, SensedCondition
+from kitrobot.verifier.properties.run_conditions import team_of
 from kitrobot.verifier.properties.verdicts import Verdict, check_properties
 from kitrobot.verifier.report.replay import confirm
 from kitrobot.verifier.tables.state_decoding import decode, sense_key

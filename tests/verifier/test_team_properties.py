@@ -15,12 +15,8 @@ from kitrobot.verifier.exploration.budget import Budget
 from kitrobot.verifier.model.abstraction import abstract_run
 from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.properties.conditions import PropertyError, parse_condition
-from kitrobot.verifier.properties.custom_properties import (
-    build_custom_properties,
-    declared_of,
-    property_variables,
-    team_of,
-)
+from kitrobot.verifier.properties.custom_properties import build_custom_properties, property_variables
+from kitrobot.verifier.properties.run_conditions import declared_of, team_of
 from kitrobot.verifier.properties.verdicts import check_properties
 from kitrobot.verifier.report.replay import confirm
 from tests.sim.team_building import RunningTeam

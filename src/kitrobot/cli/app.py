@@ -34,6 +34,7 @@ from kitrobot.cli.deploy import deploy_program
 from kitrobot.cli.desktop import desktop_entry
 from kitrobot.cli.diff import diff_files
 from kitrobot.cli.exec import execute_program
+from kitrobot.cli.experiments import sweep_missions
 from kitrobot.cli.flash import flash_board
 from kitrobot.cli.format import format_files
 from kitrobot.cli.grade import grade_submissions
@@ -96,6 +97,7 @@ app = typer.Typer(
 app.command("studio")(open_studio)
 app.command("class")(open_class)
 app.command("run")(run_mission)
+app.command("sweep")(sweep_missions)
 app.command("verify")(verify_mission)
 app.command("probability")(estimate_probability)
 app.command("grade")(grade_submissions)

@@ -41,6 +41,7 @@ from kitrobot.sim.outcome import (
 )
 from kitrobot.sim.overrides import force_sensor, stop_motors
 from kitrobot.sim.run_view import RunView
+from kitrobot.sim.setup.chance_keys import put_chance_keys
 from kitrobot.sim.setup.limits import SimulationError, check_limits, whole_number
 from kitrobot.sim.setup.setup import Setup, shared_tables_of
 from kitrobot.sim.snapshots import SNAPSHOT_VERSION, damaged, sealed, unsealed
@@ -376,4 +377,21 @@ class Simulation(RunView):
         except ValueError as error:
             raise damaged() from error
         self.events = [event for event in self._event_text.events(self.state) if event.tick < self.tick]
+        self.update_outcome()
+
+    def keep_beginning(self) -> None:
+        """Keeps the state before the first step, for `begin_again`; call it before that step."""
+        assert self.tick == 0, "before the first step"
+        self._beginning = self._codec.encode(self.state)
+
+    def begin_again(self, seed: int) -> None:
+        """Goes back to the beginning that was kept, with another seed: then it is the run that a new one would be.
+
+        Much quicker than setting a mission up again. What was done to the run meanwhile is forgotten.
+        """
+        self.seed = whole_number(seed)
+        self.__dict__.pop("identity", None)
+        self._codec.decode(self.state, self._beginning)
+        put_chance_keys(self.state, self.members, self._sensors, self.seed)
+        self.events, self.drawn = [], []
         self.update_outcome()

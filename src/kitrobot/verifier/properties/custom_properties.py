@@ -8,16 +8,12 @@ agents' last tick.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
 from kitrobot.mission.model import Team
 from kitrobot.mission.property_forms import AskedProperty, Form
 from kitrobot.sim.breakpoints import Condition as Test
 from kitrobot.sim.devices.base import Discrete
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.tables.state import Team as TeamTables
-from kitrobot.sim.tables.team_columns import T_ROLE
-from kitrobot.sim.team.meetings import in_group
 from kitrobot.text.sentences import Sentence
 from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.properties.conditions import (
@@ -30,26 +26,13 @@ from kitrobot.verifier.properties.conditions import (
 )
 from kitrobot.verifier.properties.properties import Property, SensedCondition
 from kitrobot.verifier.properties.ready_monitors import RunMonitor, waited_long_enough
-
-
-def team_of(run: Simulation) -> list[Member]:
-    """The agents of a run, as conditions name them."""
-    return [Member(agent.name, agent.program, agent.robot) for agent in run.members]
-
-
-def declared_of(run: Simulation) -> Team | None:
-    """The team of a run if its robots run a team program; None otherwise."""
-    return run.mission.team if run.team_plan is not None else None
-
-
-def _in_set(run: Simulation, team: TeamTables, name: str) -> tuple[int, ...]:
-    """The numbers of the agents that are in a role or a group."""
-    playing, groups = team.robots[T_ROLE], run.team_plan.groups if run.team_plan is not None else []
-    if name in groups:
-        group = list(groups).index(name)
-        return tuple(i for i, role in enumerate(playing) if role >= 0 and in_group(i, group, team))
-    number = next((at for at, role in enumerate(run.mission.team.roles) if role.name == name), -1)
-    return tuple(i for i, role in enumerate(playing) if role >= 0 and role == number)
+from kitrobot.verifier.properties.run_conditions import (
+    AgentValuation,
+    RunConditions,
+    declared_of,
+    members_in_set,
+    team_of,
+)
 
 
 def property_variables(run: Simulation, properties: Iterable[AskedProperty]) -> set[str]:
@@ -130,7 +113,7 @@ class _ModelCondition:
             model = self._model
             assert model.agreement is not None, "only a team has roles and groups"
             tables = model.agreement.tables(model.agreed(model.shareds()[shared]))
-            known = self._sets[name, shared] = _in_set(model.run, tables, name)
+            known = self._sets[name, shared] = members_in_set(model.run, tables, name)
         return known
 
     @property
@@ -149,14 +132,6 @@ class _ModelCondition:
             mind = AgentValuation(self._model.cells(agent, key))
             known = self._known[agent, test, key] = self._tests[agent, test].holds(mind)
         return known
-
-
-@dataclass
-class AgentValuation:
-    """The values that an agent reads and stores (`sim.breakpoints.Mind`)."""
-
-    cells: Sequence[int]
-    seen: Sequence[int] = ()
 
 
 def _property(model: Model, one: AskedProperty, parsed: Sequence[AgentCondition]) -> Property:
@@ -230,13 +205,7 @@ class _ConditionMonitor:
         self._form = form
         self._conditions = conditions
         self._run = run
-        self._tests = {
-            (agent, test): Test(test, run.members[agent].robot)
-            for one in conditions
-            for test, agents in one.tests.items()
-            for agent in agents
-        }
-        self._known: dict[tuple[int, str, tuple[int, ...]], bool] = {}
+        self._decided = RunConditions(conditions, run)
         self._waits_since = 0 if form is Form.EVENTUALLY else -1
         self._stayed = False
         self._within = within
@@ -269,15 +238,4 @@ class _ConditionMonitor:
         return waited_long_enough(self._run, self._waits_since)
 
     def _holds(self, condition: AgentCondition) -> bool:
-        return condition.holds(self._truth, lambda name: _in_set(self._run, self._run.state.team, name))
-
-    def _truth(self, agent: int, test: str) -> bool:
-        if (agent, test) not in self._tests:
-            return False
-        machine = self._run.members[agent].machine
-        cells = tuple(int(cell) for cell in machine.cells[: machine.layout.cells])
-        key = agent, test, cells
-        known = self._known.get(key)
-        if known is None:
-            known = self._known[key] = self._tests[agent, test].holds(AgentValuation(cells))
-        return known
+        return self._decided.holds(condition)

@@ -1,0 +1,119 @@
+"""Studies: runs a second on one core, against a plain loop over `run` and against Mesa's batch runner; what is kept.
+
+The transport mission runs from its start to its end with each seed; a plain loop sets it up anew for each. The little
+model is ten robots that drive for two simulated seconds, look ahead and turn away; Mesa's do a part of that (see
+benchmarks/peers/agents_in_space.py) for as many steps. `kept` writes the rows of that model into a study's folder too,
+on the disk before the next look. The unit is runs a second of processor time, Numba's compilation not counted; where
+there is no Numba, steps are plain.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import kitrobot
+from benchmarks.measurement import Rate, Row, in_turns
+from kitrobot.experiments.executor import Work
+from kitrobot.experiments.plan import Plan, StudyRequest, plan_study
+from kitrobot.experiments.point_runner import Pace, PointRunner
+from kitrobot.experiments.study_folder import begin_study
+from kitrobot.experiments.study_run import run_study
+from kitrobot.workspace.mission_loader import OpenMission
+
+TITLE = "studies"
+SPACING_MM = 400.0
+SECONDS, STEPS = 2.0, 100
+PROGRAM = "Wheel.Advance(30); *[Captor.LessThan(1000)]([Captor.LessThan(15)](Motor.AbsoluteTurn(25, 50);));"
+
+
+@dataclass(frozen=True)
+class Size:
+    """`transport`: runs of the transport mission a round; `small`: of the little model, of so many `robots`."""
+
+    transport: int
+    small: int
+    robots: int
+    rounds: int
+
+
+FULL = Size(40, 200, 10, 5)
+TINY = Size(1, 2, 2, 1)
+
+
+def run(size: Size, *, peers: bool) -> list[Row]:
+    return [_transport(size), *_small(size, peers)]
+
+
+def _transport(size: Size) -> Row:
+    opened = kitrobot.open_mission("transport")
+    plan = plan_study(opened, StudyRequest(seeds=f"1-{size.transport}"))
+    runner = PointRunner(plan, pace=Pace.COMPILED)
+    rates = _rates(
+        {
+            "study": lambda: [runner.run(row) for row in range(plan.rows)],
+            "loop": lambda: [opened.run(seed=seed) for seed in range(1, size.transport + 1)],
+        },
+        size.transport,
+        size.rounds,
+    )
+    return Row("transport", "runs/s", rates["study"], "a loop over run()", rates["loop"])
+
+
+def _small(size: Size, peers: bool) -> list[Row]:
+    opened = little_model(size.robots)
+    plan = plan_study(opened, StudyRequest(seeds=f"1-{size.small}", seconds=SECONDS, measures=["collisions"]))
+    runner = PointRunner(plan, pace=Pace.COMPILED)
+    work: dict[str, Callable[[], object]] = {
+        "bare": lambda: [runner.run(row) for row in range(plan.rows)],
+        "kept": lambda: _kept(plan, runner),
+    }
+    if peers:
+        from benchmarks.peers import agents_in_space
+
+        work["mesa"] = lambda: agents_in_space.batch(size.robots, SPACING_MM, size.small, STEPS)
+    rates = _rates(work, size.small, size.rounds)
+    what = f"{size.robots} robots for {STEPS} steps"
+    name = agents_in_space.NAME if peers else ""
+    return [
+        Row(what, "runs/s", rates["bare"], f"{name} batch_run" if peers else "", rates.get("mesa")),
+        Row(f"{what}, kept", "runs/s", rates["kept"], "not kept", rates["bare"]),
+    ]
+
+
+def little_model(robots: int) -> OpenMission:
+    """So many robots on a grid, as Mesa's stand."""
+    starts, agents = [], []
+    side = 1
+    while side * side < robots:
+        side += 1
+    for n in range(robots):
+        pose = kitrobot.Pose((n % side + 1) * SPACING_MM, (n // side + 1) * SPACING_MM, 0.6 * n)
+        starts.append(kitrobot.Start(f"r{n}", pose=pose))
+        agents.append(kitrobot.Agent(f"r{n}", "go"))
+    world = kitrobot.World("yard", (side + 1) * SPACING_MM, (side + 1) * SPACING_MM, starts=tuple(starts))
+    program = kitrobot.read_program(PROGRAM, "mini-robot", "go")
+    return kitrobot.open_mission(kitrobot.Mission(programs=[program], team=kitrobot.Team(agents), own_world=world))
+
+
+class _Hot:
+    """An executor whose mission is open already, as in the second batch of a process."""
+
+    def __init__(self, runner: PointRunner) -> None:
+        self._runner = runner
+
+    def run(self, work: Work, stop: Callable[[], bool]) -> Iterator[bytes]:
+        for row in work.rows:
+            yield self._runner.run(row)
+
+
+def _kept(plan: Plan, runner: PointRunner) -> None:
+    with tempfile.TemporaryDirectory() as folder:
+        begin_study(Path(folder), plan)
+        run_study(Path(folder), _Hot(runner))
+
+
+def _rates(work: dict[str, Callable[[], object]], amount: int, rounds: int) -> dict[str, Rate]:
+    return {name: Rate.of(amount, taken) for name, taken in in_turns(work, rounds).items()}

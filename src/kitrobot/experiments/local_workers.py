@@ -1,0 +1,154 @@
+"""Local processes that make the rows of a study, and their supervisor.
+
+Each process keeps one mission hot and sends each row as soon as its run ends, so when a process dies (killed, out of
+memory) the supervisor knows the run that it was at: that one counts a death, the others are given out again at once.
+Ctrl-C is the supervisor's alone; the processes end with it, however it ends.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter, deque
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field
+from itertools import islice
+from typing import Any, Final
+
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.experiments.addresses import ExperimentError
+from kitrobot.experiments.executor import MOST_DEATHS, Stop, Work, died_row
+from kitrobot.experiments.plan import Function, Plan
+from kitrobot.experiments.point_runner import Pace, PointRunner
+from kitrobot.text.sentences import Sentence
+from kitrobot.workspace.child_processes import end_with_parent
+
+MOST_GIVEN: Final = 64
+"""Rows that a process has before it at most."""
+_LOOK_S: Final = 0.2
+"""How long nobody looks whether the work is to end while no row comes, in seconds."""
+
+
+@dataclass
+class _Worker:
+    """A process, the line to it, and the rows that it was given and has not sent, in their order."""
+
+    process: Any
+    line: Any
+    given: deque[int] = field(default_factory=deque)
+    is_ready: bool = False
+
+
+class LocalWorkers:
+    """So many processes on this machine."""
+
+    def __init__(self, jobs: int) -> None:
+        self._jobs = jobs
+        self.workers: list[_Worker] = []
+        self._false_starts = 0
+
+    def run(self, work: Work, stop: Stop) -> Iterator[bytes]:
+        """The lines of the rows, as they come.
+
+        Raises:
+            ExperimentError: processes die before they begin.
+        """
+        # Where there are no processes, this module cannot be had either.
+        import multiprocessing
+        from multiprocessing.connection import wait
+
+        # Not forked: the threads of this process would be missing in its copies.
+        context = multiprocessing.get_context("spawn")
+        pace = work.pace()
+        waiting, again, deaths, left = iter(work.rows), deque[int](), Counter[int](), work.count
+        try:
+            while left and not stop():
+                while len(self.workers) < min(self._jobs, left):
+                    self.workers.append(_begin(context, work, pace))
+                for worker in self.workers:
+                    if worker.is_ready:
+                        self._give(worker, waiting, again, left)
+                lines: list[Any] = wait([worker.line for worker in self.workers], _LOOK_S)
+                for line in lines:
+                    worker = next(one for one in self.workers if one.line is line)
+                    try:
+                        message = line.recv_bytes()
+                    except (EOFError, OSError):
+                        died = self._bury(worker, again, deaths)
+                        if died is not None:
+                            left -= 1
+                            yield died_row(work.plan, died)
+                        continue
+                    if not message:
+                        worker.is_ready = True
+                        continue
+                    worker.given.popleft()
+                    left -= 1
+                    yield message
+        finally:
+            self._end()
+
+    def _give(self, worker: _Worker, waiting: Iterator[int], again: deque[int], left: int) -> None:
+        """Fills up the rows before a process, the fewer the fewer there are."""
+        most = max(1, min(MOST_GIVEN, math.ceil(left / (2 * self._jobs))))
+        if len(worker.given) > most // 4:
+            return
+        rows = [again.popleft() for _ in range(min(len(again), most - len(worker.given)))]
+        rows += islice(waiting, max(0, most - len(worker.given) - len(rows)))
+        if rows:
+            worker.given += rows
+            with suppress(OSError):  # Told of its death soon.
+                worker.line.send(rows)
+
+    def _bury(self, worker: _Worker, again: deque[int], deaths: Counter[int]) -> int | None:
+        """Gives out again what a dead process had; the row that is given up, if there is one."""
+        self.workers.remove(worker)
+        worker.process.join()
+        worker.line.close()
+        if not worker.is_ready:
+            self._false_starts += 1
+            if self._false_starts >= MOST_DEATHS:
+                raise ExperimentError(
+                    Sentence("the processes of the study die before they begin"),
+                    Sentence("perhaps for want of memory: try fewer of them with --jobs"),
+                )
+        if not worker.given:
+            return None
+        blamed = worker.given[0]
+        deaths[blamed] += 1
+        if deaths[blamed] >= MOST_DEATHS:
+            worker.given.popleft()
+            again.extendleft(reversed(worker.given))
+            return blamed
+        again.extendleft(reversed(worker.given))
+        return None
+
+    def _end(self) -> None:
+        for worker in self.workers:
+            worker.process.terminate()
+        for worker in self.workers:
+            worker.process.join()
+            worker.line.close()
+        self.workers.clear()
+
+
+def _begin(context: Any, work: Work, pace: Pace) -> _Worker:
+    mine, theirs = context.Pipe()
+    process = context.Process(target=_work, args=(theirs, work.plan, dict(work.functions), pace), daemon=True)
+    process.start()
+    theirs.close()
+    return _Worker(process, mine)
+
+
+def _work(line: Any, plan: Plan, functions: Mapping[str, Function], pace: Pace) -> None:
+    """In a process, until its supervisor is gone. An empty message says that it is ready."""
+    end_with_parent()
+    try:
+        runner = PointRunner(plan, functions, pace)
+    except KitRobotError:
+        return  # It was opened where the study was planned: this machine has changed since.
+    with suppress(EOFError, OSError):
+        line.send_bytes(b"")
+        while True:
+            for row in line.recv():
+                line.send_bytes(runner.run(row))

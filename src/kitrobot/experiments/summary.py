@@ -1,0 +1,176 @@
+"""A study in numbers: of each point the mean of each measure, with its interval; and one value against another.
+
+Points have the same seeds, so comparisons are paired: run by run, seed by seed. `done` is a share. Rows without a
+number do not count, and `Cell.runs` says how many do. The statistics are those of `experiments.statistics`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from kitrobot.experiments.addresses import ExperimentError
+from kitrobot.experiments.study_folder import study_rows
+from kitrobot.experiments.study_rows import StudyRows
+from kitrobot.experiments.tables import text_lines
+from kitrobot.experiments.variant import Value
+from kitrobot.text.sentences import Sentence
+from kitrobot.text.suggestions import did_you_mean
+
+if TYPE_CHECKING:
+    from kitrobot.experiments.statistics.interval import Interval
+
+USUAL_CONFIDENCE = 0.95
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A measure at a point: its interval, None of fewer than two numbers, and how many runs gave one."""
+
+    measure: str
+    runs: int
+    interval: Interval | None
+
+
+@dataclass(frozen=True)
+class PointSummary:
+    """A point: its values by address, how many of its rows had which outcome, and its measures."""
+
+    point: Mapping[str, Value]
+    outcomes: Mapping[str, int]
+    cells: tuple[Cell, ...]
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """The difference of a measure, `other` minus `first`, all else the same; `p_value` is Holm's over the comparisons.
+
+    `pairs` is how many runs were compared with their like.
+    """
+
+    measure: str
+    first: Value
+    other: Value
+    pairs: int
+    interval: Interval
+    p_value: float
+
+
+def summarise(study: StudyRows, confidence: float = USUAL_CONFIDENCE) -> list[PointSummary]:
+    """Every point of a study of which a row is there, in the order of the plan.
+
+    Raises:
+        StatisticsError: the confidence is none.
+    """
+    plan = study.plan
+    seeds = len(plan.seeds)
+    outcomes: dict[int, dict[str, int]] = {}
+    numbers: dict[int, list[list[float]]] = {}
+    for row in study_rows(study.folder, plan):  # As they are: a million objects would take as long as all the rest.
+        at, outcome, measures = row["row"] // seeds, row["outcome"], row.get("measures", {})
+        if at not in outcomes:
+            outcomes[at], numbers[at] = {}, [[] for _ in plan.measured]
+        outcomes[at][outcome] = outcomes[at].get(outcome, 0) + 1
+        for column, name in zip(numbers[at], plan.measured, strict=True):
+            value = measures.get(name)
+            if value is not None:
+                column.append(value)
+    return [
+        PointSummary(
+            plan.point(at * seeds),
+            outcomes[at],
+            tuple(_cell(name, column, confidence) for name, column in zip(plan.measured, numbers[at], strict=True)),
+        )
+        for at in sorted(outcomes)
+    ]
+
+
+def _cell(name: str, values: Sequence[float], confidence: float) -> Cell:
+    from kitrobot.experiments.statistics.means import mean_interval
+    from kitrobot.experiments.statistics.shares import share_interval
+
+    if not values:
+        return Cell(name, 0, None)
+    if name == "done":
+        return Cell(name, len(values), share_interval(int(sum(values)), len(values), confidence))
+    return Cell(name, len(values), mean_interval(values, confidence) if len(values) > 1 else None)
+
+
+def compare(study: StudyRows, address: str, measure: str, confidence: float = USUAL_CONFIDENCE) -> list[Comparison]:
+    """Each value of an address against its first one: differences of runs that have all else in common, seed too.
+
+    Raises:
+        ExperimentError: nothing of that name varies, or was measured.
+        StatisticsError: there are too few pairs, or the confidence is none.
+    """
+    from kitrobot.experiments.statistics.means import paired_difference, paired_test
+    from kitrobot.experiments.statistics.multiple_comparisons import holm
+
+    if address not in study.plan.addresses:
+        near = did_you_mean(address, study.plan.addresses)
+        raise ExperimentError(Sentence("`{address}` does not vary in this study", address), near)
+    if measure not in study.plan.measured:
+        raise ExperimentError(Sentence("no row of the study has the measure `{name}`", measure))
+    found: dict[Value, dict[Any, float]] = {}
+    for row in study.rows:
+        number = row.measures.get(measure)
+        if number is not None:
+            rest = tuple((name, value) for name, value in row.point.items() if name != address)
+            found.setdefault(row.point[address], {})[rest, row.seed] = number
+    first, *others = found
+    pairs = []
+    for other in others:
+        both = [key for key in found[first] if key in found[other]]
+        pairs.append(([found[first][key] for key in both], [found[other][key] for key in both]))
+    p_values = holm([paired_test(ours, theirs) for ours, theirs in pairs])
+    return [
+        Comparison(measure, first, other, len(ours), paired_difference(theirs, ours, confidence), p_value)
+        for other, (ours, theirs), p_value in zip(others, pairs, p_values, strict=True)
+    ]
+
+
+def summary_json(study: StudyRows, confidence: float = USUAL_CONFIDENCE) -> list[dict[str, Any]]:
+    """As plain values, in the published shape."""
+    return [
+        {
+            "point": dict(one.point),
+            "outcomes": dict(one.outcomes),
+            "measures": {cell.measure: _cell_json(cell) for cell in one.cells},
+        }
+        for one in summarise(study, confidence)
+    ]
+
+
+def _cell_json(cell: Cell) -> dict[str, Any]:
+    interval = cell.interval
+    if interval is None:
+        return {"runs": cell.runs}
+    return {
+        "runs": cell.runs,
+        "estimate": interval.estimate,
+        "low": interval.low,
+        "high": interval.high,
+        "confidence": interval.confidence,
+        "method": str(interval.method),
+    }
+
+
+def summary_text(study: StudyRows, confidence: float = USUAL_CONFIDENCE) -> str:
+    """As people read it: a line for each point, and the methods below."""
+    found = summarise(study, confidence)
+    rows = [[*study.plan.addresses, "runs", *study.plan.measured]]
+    methods: dict[str, None] = {}
+    for one in found:
+        cells = [_cell_text(cell) for cell in one.cells]
+        rows.append([*map(str, one.point.values()), str(sum(one.outcomes.values())), *cells])
+        methods |= dict.fromkeys(str(cell.interval.method) for cell in one.cells if cell.interval is not None)
+    lines = [*text_lines(rows), "", *(f"  {confidence:.4g}: {method}" for method in methods)]
+    return "\n".join(lines) + "\n"
+
+
+def _cell_text(cell: Cell) -> str:
+    if cell.interval is None:
+        return "–"
+    low, high = cell.interval.low, cell.interval.high
+    return f"{cell.interval.estimate:.5g} ({low:.5g} … {high:.5g})"

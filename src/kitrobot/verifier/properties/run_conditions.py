@@ -1,0 +1,76 @@
+"""Conditions over several agents in a run of the simulator, decided on what the agents read in their last tick."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from kitrobot.mission.model import Team
+from kitrobot.sim.breakpoints import Condition as Test
+from kitrobot.sim.simulation import Simulation
+from kitrobot.sim.tables.state import Team as TeamTables
+from kitrobot.sim.tables.team_columns import T_ROLE
+from kitrobot.sim.team.meetings import in_group
+from kitrobot.verifier.properties.conditions import AgentCondition, Member
+
+_MOST_KNOWN = 200_000
+"""Answers that are remembered at most; then they are forgotten, all at once."""
+
+
+def team_of(run: Simulation) -> list[Member]:
+    """The agents of a run, as conditions name them."""
+    return [Member(agent.name, agent.program, agent.robot) for agent in run.members]
+
+
+def declared_of(run: Simulation) -> Team | None:
+    """The team of a run if its robots run a team program; None otherwise."""
+    return run.mission.team if run.team_plan is not None else None
+
+
+def members_in_set(run: Simulation, team: TeamTables, name: str) -> tuple[int, ...]:
+    """The numbers of the agents that are in a role or a group."""
+    playing, groups = team.robots[T_ROLE], run.team_plan.groups if run.team_plan is not None else []
+    if name in groups:
+        group = list(groups).index(name)
+        return tuple(i for i, role in enumerate(playing) if role >= 0 and in_group(i, group, team))
+    number = next((at for at, role in enumerate(run.mission.team.roles) if role.name == name), -1)
+    return tuple(i for i, role in enumerate(playing) if role >= 0 and role == number)
+
+
+@dataclass
+class AgentValuation:
+    """The values that an agent reads and stores (`sim.breakpoints.Mind`)."""
+
+    cells: Sequence[int]
+    seen: Sequence[int] = ()
+
+
+class RunConditions:
+    """Decides conditions on a run as it is now. The same values come up often, so each answer is remembered."""
+
+    def __init__(self, conditions: Iterable[AgentCondition], run: Simulation) -> None:
+        self._run = run
+        self._tests = {
+            (agent, test): Test(test, run.members[agent].robot)
+            for one in conditions
+            for test, agents in one.tests.items()
+            for agent in agents
+        }
+        self._known: dict[tuple[int, str, tuple[int, ...]], bool] = {}
+
+    def holds(self, condition: AgentCondition) -> bool:
+        """Whether one of them holds."""
+        return condition.holds(self._truth, lambda name: members_in_set(self._run, self._run.state.team, name))
+
+    def _truth(self, agent: int, test: str) -> bool:
+        if (agent, test) not in self._tests:
+            return False
+        machine = self._run.members[agent].machine
+        cells = tuple(int(cell) for cell in machine.cells[: machine.layout.cells])
+        key = agent, test, cells
+        known = self._known.get(key)
+        if known is None:
+            if len(self._known) >= _MOST_KNOWN:
+                self._known.clear()
+            known = self._known[key] = self._tests[agent, test].holds(AgentValuation(cells))
+        return known

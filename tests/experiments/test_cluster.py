@@ -1,0 +1,91 @@
+"""Studies on a Dask cluster that is started as its documents say: a real scheduler, real workers, and kills."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import pytest
+
+from kitrobot.experiments.addresses import ExperimentError
+from kitrobot.experiments.cluster import DaskCluster
+from kitrobot.experiments.executor import Work
+from kitrobot.experiments.point_runner import PointRunner
+from kitrobot.experiments.study_folder import begin_study
+from kitrobot.experiments.study_run import run_study
+from tests.experiments.missions import short_plan, sorted_rows
+
+pytest.importorskip("distributed")
+
+PLAN = short_plan("1-40")
+
+
+@pytest.fixture(scope="module")
+def undisturbed():
+    """The rows as one process makes them, one after another."""
+    runner = PointRunner(PLAN)
+    return sorted(runner.run(row) for row in range(PLAN.rows))
+
+
+@contextmanager
+def _program(name: str, *arguments: str, says: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
+    """A program of Dask's, once it has said that; and what it said there."""
+    command = [sys.executable, "-m", f"distributed.cli.{name}", *arguments]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stderr is not None
+        try:
+            found = next(match for line in process.stderr if (match := re.search(says, line)))
+            yield process, found[1]
+        finally:
+            process.kill()
+            process.stderr.read()
+
+
+@contextmanager
+def _scheduler():
+    options = ("--host", "127.0.0.1", "--port", "0", "--no-dashboard")
+    with _program("dask_scheduler", *options, says=r"Scheduler at:\s+(tcp://\S+)") as made:
+        yield made
+
+
+def _worker(address: str):
+    options = ("--no-nanny", "--nthreads", "1", "--no-dashboard")
+    return _program("dask_worker", address, *options, says=r"(Registered to:)")
+
+
+def test_a_worker_that_is_killed_costs_no_row_and_a_scheduler_that_goes_away_is_a_sentence(tmp_path, undisturbed):
+    begin_study(tmp_path, PLAN)
+    with _scheduler() as (scheduler, address), _worker(address) as (one, _), _worker(address):
+        lines = []
+        for line in DaskCluster(address).run(Work(PLAN, range(PLAN.rows), PLAN.rows), lambda: False):
+            lines.append(line)
+            if len(lines) == 5:
+                one.kill()
+        assert sorted(lines) == undisturbed
+
+        def kill(done, total):
+            if done:
+                scheduler.kill()
+
+        with pytest.raises(ExperimentError, match="the Dask scheduler has gone away") as told:
+            run_study(tmp_path, DaskCluster(address), progress=kill)
+        assert "--resume" in told.value.help
+    assert set(sorted_rows(tmp_path)) < set(undisturbed)
+    assert run_study(tmp_path)
+    assert sorted_rows(tmp_path) == undisturbed
+
+
+def test_a_scheduler_that_is_not_there_is_a_sentence(monkeypatch):
+    monkeypatch.setattr("kitrobot.experiments.cluster._CONNECT_S", 1)
+    with pytest.raises(ExperimentError, match="there is no Dask scheduler at `tcp://127.0.0.1:9`".replace(".", r"\.")):
+        list(DaskCluster("tcp://127.0.0.1:9").run(Work(PLAN, [0], 1), lambda: False))
+
+
+def test_without_dask_a_sentence_says_how_to_get_it(monkeypatch):
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(ExperimentError, match="not installed") as told:
+        list(DaskCluster("local").run(Work(PLAN, [0], 1), lambda: False))
+    assert "kitrobot[cluster]" in told.value.help

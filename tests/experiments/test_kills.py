@@ -1,0 +1,96 @@
+"""Kills in the middle of a study, of its processes and of the supervisor: no row is lost, none is there twice."""
+
+from __future__ import annotations
+
+import os
+import random
+import signal
+import subprocess
+import sys
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from kitrobot.experiments.executor import Work
+from kitrobot.experiments.local_workers import LocalWorkers
+from kitrobot.experiments.point_runner import PointRunner
+from kitrobot.experiments.study_folder import begin_study
+from kitrobot.experiments.study_run import run_study
+from tests.effort import examples
+from tests.experiments.missions import short_plan, sorted_rows
+
+ROOT = Path(__file__).parents[2]
+PLAN = short_plan("1-20")
+
+DIES = """
+import os, signal, sys
+from pathlib import Path
+from typing import Any
+from kitrobot.experiments import study_run
+from kitrobot.experiments.local_workers import LocalWorkers
+from kitrobot.experiments.study_run import run_study
+
+def main():
+    study_run._SYNC_S = 0.0  # each row by itself
+    folder, rows = Path(sys.argv[1]), int(sys.argv[2])
+    begun = []
+
+    def die(done, total):
+        begun.append(done)
+        if done >= begun[0] + rows:
+            os.kill(os.getpid(), signal.SIGKILL)
+
+    run_study(folder, LocalWorkers(2), progress=die)
+
+if __name__ == "__main__":
+    main()
+"""
+
+
+@pytest.fixture(scope="module")
+def undisturbed():
+    """The rows as one process makes them, one after another."""
+    runner = PointRunner(PLAN)
+    return sorted(runner.run(row) for row in range(PLAN.rows))
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGKILL")
+@pytest.mark.parametrize("seed", range(examples(2, 300)))
+def test_killed_processes_cost_no_row(undisturbed, seed):
+    chance = random.Random(seed)
+    kills = {chance.randrange(PLAN.rows - 1) for _ in range(3)}
+    executor = LocalWorkers(2)
+    lines = []
+    for number, line in enumerate(executor.run(Work(PLAN, range(PLAN.rows), PLAN.rows), lambda: False)):
+        lines.append(line)
+        if number in kills:
+            os.kill(chance.choice(executor.workers).process.pid, signal.SIGKILL)
+    assert sorted(lines) == undisturbed
+    assert executor.workers == []
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGKILL")
+@pytest.mark.parametrize("seed", range(examples(1, 100)))
+def test_a_killed_supervisor_costs_no_row(tmp_path, undisturbed, seed):
+    chance = random.Random(seed)
+    begin_study(tmp_path / "study", PLAN)
+    script = tmp_path / "dies.py"
+    script.write_text(DIES)
+    for _ in range(2):
+        rows = chance.randrange(1, PLAN.rows // 3)
+        ended = subprocess.run([sys.executable, script, tmp_path / "study", str(rows)], cwd=ROOT, check=False)
+        assert ended.returncode == -signal.SIGKILL
+    assert 0 < len(sorted_rows(tmp_path / "study")) < PLAN.rows
+    assert run_study(tmp_path / "study")
+    assert sorted_rows(tmp_path / "study") == undisturbed
+
+
+def test_processes_end_when_nobody_wants_more_rows():
+    executor = LocalWorkers(2)
+    lines: Any = executor.run(Work(PLAN, range(PLAN.rows), PLAN.rows), lambda: False)
+    assert len(list(islice(lines, 3))) == 3
+    processes = [worker.process for worker in executor.workers]
+    lines.close()
+    assert not any(process.is_alive() for process in processes)
