@@ -10,9 +10,7 @@ from kitrobot.sim.tables.random_numbers import keys
 from kitrobot.sim.tables.state import State
 
 
-def put_chance_keys(
-    state: State, members: Sequence[Agent], sensors: Mapping[tuple[int, str], int], seed: int
-) -> None:
+def put_chance_keys(state: State, members: Sequence[Agent], sensors: Mapping[tuple[int, str], int], seed: int) -> None:
     """Puts the keys of that seed into the tables of a run before its first step, as setting it up does.
 
     Args:
