@@ -133,7 +133,7 @@ export function useArenaPointer(
         painter.zoom(now.far / before.far, now.x, now.y);
       },
     });
-  }, [painter, dropGrip]);
+  }, [canvas, painter, dropGrip]);
   const onPointerUp = (event: PointerEvent<HTMLCanvasElement>) => {
     letGo(event);
     const held = grip.current;
