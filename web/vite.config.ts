@@ -4,6 +4,7 @@ import { defineConfig } from "vitest/config";
 import { catalogues } from "./build/catalogues.ts";
 import { smallFonts } from "./build/fonts.ts";
 import { packFiles } from "./build/pack.ts";
+import { putScale } from "./build/scale.ts";
 
 /** Where `npm run dev` finds the Python server; the built page is served by that server itself. */
 const SERVER = process.env["KITROBOT_SERVER"] ?? "http://127.0.0.1:8765";
@@ -11,7 +12,7 @@ const SERVER = process.env["KITROBOT_SERVER"] ?? "http://127.0.0.1:8765";
 export default defineConfig({
   // Relative addresses: the page works under any path that a server gives it.
   base: "./",
-  plugins: [react(), catalogues(), smallFonts(), packFiles()],
+  plugins: [react(), catalogues(), smallFonts(), putScale(), packFiles()],
   worker: { format: "es" },
   build: {
     target: "es2022",

@@ -18,3 +18,25 @@ export const ownStore = {
     },
   }),
 };
+
+/** ESLint: what changes is the state of a store, of an object or of a closure. A file that makes a store may have more beside it. */
+export const moduleState = {
+  meta: {
+    type: "problem",
+    messages: { loose: "{{name}} is state of a module: put it into a store, an object or a closure." },
+    schema: [],
+  },
+  create(context) {
+    const program = context.sourceCode.ast;
+    const makesStore = program.body.some((one) => one.type === "ImportDeclaration" && one.source.value === "zustand");
+    return {
+      "Program > VariableDeclaration[kind='let'], Program > ExportNamedDeclaration > VariableDeclaration[kind='let']"(
+        node,
+      ) {
+        if (makesStore) return;
+        for (const { id } of node.declarations)
+          context.report({ node, messageId: "loose", data: { name: context.sourceCode.getText(id) } });
+      },
+    };
+  },
+};

@@ -11,6 +11,7 @@ import { closeOverlay, complain, dismissBanner, question, show } from "../sessio
 import { commonBase, keepMerge, revisionMerged } from "../session/merges";
 import { type PartDifference, partDifference } from "../session/saving";
 import { Button } from "../ui/Button";
+import { RadioPair } from "../ui/RadioPair";
 import { Sheet } from "../ui/Sheet";
 import { useFetched } from "../ui/use-fetched";
 
@@ -40,7 +41,7 @@ interface ConflictProps {
   choose: (theirs: boolean) => void;
 }
 
-function Conflict({ conflict: { name, what, sentence, ours, theirs, taken, open }, choose }: ConflictProps) {
+function Conflict({ conflict: { what, sentence, ours, theirs, taken, open }, choose }: ConflictProps) {
   if (!open)
     return (
       <li>
@@ -49,19 +50,16 @@ function Conflict({ conflict: { name, what, sentence, ours, theirs, taken, open 
     );
   return (
     <li>
-      <fieldset className="sheet-choice">
-        <legend>
-          <Said text={what} />
-        </legend>
-        <label>
-          <input type="radio" name={name} checked={!taken} data-testid="merge-yours" onChange={() => choose(false)} />
-          {ours === "" ? t("merge.yours") : t("merge.yours-is", { value: ours })}
-        </label>
-        <label>
-          <input type="radio" name={name} checked={taken} data-testid="merge-theirs" onChange={() => choose(true)} />
-          {theirs === "" ? t("merge.theirs") : t("merge.theirs-is", { value: theirs })}
-        </label>
-      </fieldset>
+      <RadioPair
+        legend={<Said text={what} />}
+        words={[
+          ours === "" ? t("merge.yours") : t("merge.yours-is", { value: ours }),
+          theirs === "" ? t("merge.theirs") : t("merge.theirs-is", { value: theirs }),
+        ]}
+        testIds={["merge-yours", "merge-theirs"]}
+        second={taken}
+        choose={choose}
+      />
     </li>
   );
 }

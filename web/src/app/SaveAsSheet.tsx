@@ -8,6 +8,7 @@ import { asMissionPath, closeOverlay, fileName, show, useDocument } from "../ses
 import { hasPlace, saveAs } from "../session/saving";
 import { Icon } from "../theme";
 import { Button } from "../ui/Button";
+import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 
 interface Refusal {
@@ -47,21 +48,19 @@ export function SaveAsSheet() {
   return (
     <Sheet title={t("save.title")} testId="save-dialog" onClose={closeOverlay}>
       <form onSubmit={onSubmit}>
-        <label className="field-label muted small-text rigid" htmlFor="save-name">
-          {t("save.name")}
-        </label>
-        <input
-          id="save-name"
-          className="field"
-          data-testid="save-name"
-          value={text}
-          autoFocus
-          spellCheck={false}
-          autoComplete="off"
-          aria-describedby="save-note"
-          onFocus={(event) => event.target.setSelectionRange(0, text.replace(/\.krt$/, "").length)}
-          onChange={(event) => setText(event.target.value)}
-        />
+        <Field label={t("save.name")}>
+          <input
+            className="field"
+            data-testid="save-name"
+            value={text}
+            autoFocus
+            spellCheck={false}
+            autoComplete="off"
+            aria-describedby="save-note"
+            onFocus={(event) => event.target.setSelectionRange(0, text.replace(/\.krt$/, "").length)}
+            onChange={(event) => setText(event.target.value)}
+          />
+        </Field>
         <p className="sheet-note muted small-text" id="save-note" role="status">
           {shown === null ? (
             t("save.where", { folder: workspace })

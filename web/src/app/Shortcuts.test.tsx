@@ -2,6 +2,7 @@ import { afterEach, beforeEach, describe, expect, it } from "vitest";
 
 import { moreWords, speak, t } from "../i18n/words";
 import { mount, type Mounted } from "../testing/hooks";
+import "./features";
 import { ShortcutsSheet } from "./Shortcuts";
 
 let page: Mounted;

@@ -6,28 +6,34 @@ import { useEffect, useRef, useState } from "react";
 
 import { type Key, t } from "../i18n/words";
 import { closeOverlay } from "../session/document";
-import { ARENA_KEYS, GRAPH_KEYS, type KeyRow, PAGE_KEYS, WEB_KEYS, WORLD_KEYS } from "../session/key-table";
+import { features } from "../session/features";
+import { type KeyRow, type KeyTable, WEB_KEYS } from "../session/key-table";
 import { Icon } from "../theme";
 import { holding } from "../ui/matching";
 import { isItem, type MenuPart } from "../ui/menu-model";
 import { Sheet } from "../ui/Sheet";
 import { useMenus } from "./menus";
-import { ELSEWHERE, SEARCH_WORDS } from "./search-words";
 import "./shortcuts.css";
 
-const TABLES: readonly [Key, Record<string, KeyRow>][] = [
-  ["help.general", PAGE_KEYS],
-  ["app.canvas", GRAPH_KEYS],
-  ["view.arena", ARENA_KEYS],
-  ["world.tab", WORLD_KEYS],
-  ["help.keys-lists", WEB_KEYS],
-];
+/** All keys there are, by where they hold. */
+function allTables(): KeyTable[] {
+  const ofPage = features().flatMap(({ keys }) => Object.entries(keys ?? {}));
+  return [
+    { heading: "help.general", rows: Object.fromEntries(ofPage) },
+    ...features().flatMap(({ keyTables }) => keyTables ?? []),
+    { heading: "help.keys-lists", rows: WEB_KEYS },
+  ];
+}
 
 /** Rows with one meaning are one line: "W · Shift+W". */
-export function linesOf(rows: Record<string, KeyRow>): { says: Key; chords: string[] }[] {
-  const lines = new Map<Key, string[]>();
-  for (const { says, chords } of Object.values(rows)) lines.set(says, [...(lines.get(says) ?? []), ...chords]);
-  return [...lines].map(([says, chords]) => ({ says, chords: [...new Set(chords)] }));
+export function linesOf(rows: Record<string, KeyRow>): { says: Key; chords: string[]; also: Key | undefined }[] {
+  const lines = new Map<Key, KeyRow[]>();
+  for (const row of Object.values(rows)) lines.set(row.says, [...(lines.get(row.says) ?? []), row]);
+  return [...lines].map(([says, same]) => ({
+    says,
+    chords: [...new Set(same.flatMap(({ chords }) => chords))],
+    also: same.find(({ also }) => also !== undefined)?.also,
+  }));
 }
 
 /** What is reached through the menus only: its menu and its words. */
@@ -54,8 +60,7 @@ interface Section {
   rows: Listed[];
 }
 
-function alsoFor(id: string): string {
-  const key = SEARCH_WORDS[id];
+function otherWords(key: Key | undefined): string {
   return key === undefined ? "" : t(key);
 }
 
@@ -77,20 +82,32 @@ export function ShortcutsSheet() {
   const [query, setQuery] = useState("");
   // After the sheet has kept what to give the focus back to.
   useEffect(() => field.current?.focus(), []);
+  const words = new Map(features().flatMap((one) => Object.entries(one.words ?? {})));
+  const elsewhere = features().flatMap((one) => one.elsewhere ?? []);
   const sections: Section[] = [
-    ...TABLES.map(([heading, rows]) => ({
+    ...allTables().map(({ heading, rows }) => ({
       heading,
-      rows: linesOf(rows).map(({ says, chords }) => ({ id: says, keys: chords, says: t(says), also: alsoFor(says) })),
+      rows: linesOf(rows).map(({ says, chords, also }) => ({
+        id: says,
+        keys: chords,
+        says: t(says),
+        also: otherWords(also),
+      })),
     })),
     {
       heading: "help.keys-paths",
       how: "help.keys-paths-how",
-      rows: menuPaths(menus).map(({ id, menu, label }) => ({ id, keys: [menu], says: label, also: alsoFor(id) })),
+      rows: menuPaths(menus).map(({ id, menu, label }) => ({
+        id,
+        keys: [menu],
+        says: label,
+        also: otherWords(words.get(id)),
+      })),
     },
     {
       heading: "help.keys-elsewhere",
       how: "help.keys-elsewhere-how",
-      rows: ELSEWHERE.map(({ name, says, also }) => ({ id: says, keys: [t(name)], says: t(says), also: t(also) })),
+      rows: elsewhere.map(({ name, says, also }) => ({ id: says, keys: [t(name)], says: t(says), also: t(also) })),
     },
   ];
   const found = foundIn(sections, query);

@@ -24,6 +24,7 @@ import { closeTeam, useTeam } from "../session/team-view";
 import { Icon } from "../theme";
 import { useInView } from "../ui/in-view";
 import { later } from "../ui/later";
+import { tabAfter } from "../ui/TabList";
 import { AddProgram } from "./AddProgram";
 import { FEATURES } from "./features";
 import { renameInTab, useRenaming } from "./renaming";
@@ -223,13 +224,6 @@ export function Tabs() {
     const count = programs.length + TABS.length;
     const open = TABS.findIndex(({ isOpen }) => isOpen());
     const at = open < 0 ? programs.findIndex((program) => program.name === activeProgram) : programs.length + open;
-    const on = mirrored() ? -1 : 1;
-    const steps: Record<string, number> = {
-      ArrowLeft: at - on,
-      ArrowRight: at + on,
-      Home: 0,
-      End: count - 1,
-    };
     if (event.key === "Delete" && open < 0) {
       event.preventDefault();
       event.stopPropagation();
@@ -238,10 +232,9 @@ export function Tabs() {
       requestAnimationFrame(() => list.current?.querySelector<HTMLElement>('[aria-selected="true"]')?.focus());
       return;
     }
-    const wanted = steps[event.key];
-    if (wanted === undefined) return;
+    const place = tabAfter(event, at, count);
+    if (place === null) return;
     event.preventDefault();
-    const place = (wanted + count) % count;
     const next = programs[place];
     if (next === undefined) {
       const tab = TABS[place - programs.length];

@@ -8,13 +8,14 @@ import { useRef } from "react";
 import { Slot } from "../components/Slot";
 import { t } from "../i18n/words";
 import { useStudio } from "../model/studio";
-import { stopEverything } from "../session/features";
+import { STOP_KEY, stopEverything } from "../session/features";
 import { keyFor } from "../session/key-table";
 import { Icon } from "../theme";
 import { useFolding } from "../ui/folding";
 import { isItem, type MenuPart } from "../ui/menu-model";
 import { MenuButton } from "../ui/MenuButton";
 import { Tool } from "../ui/Tool";
+import { KEYS } from "./page-keys";
 
 /** What the tools do, from the menus, which say it in words: a menu for those that found no room. */
 function MoreTools({ menus }: { menus: MenuPart[] }) {
@@ -47,7 +48,7 @@ export function Toolbar({ menus }: { menus: MenuPart[] }) {
         <Tool
           icon="undo-2"
           label={undoLabel === "" ? t("edit.undo") : t("edit.undo-what", { what: undoLabel })}
-          keys={keyFor.page("undo")}
+          keys={keyFor.page(KEYS.undo)}
           disabled={!canUndo}
           testId="undo"
           data-fold={9}
@@ -56,7 +57,7 @@ export function Toolbar({ menus }: { menus: MenuPart[] }) {
         <Tool
           icon="redo-2"
           label={redoLabel === "" ? t("edit.redo") : t("edit.redo-what", { what: redoLabel })}
-          keys={keyFor.page("redo")}
+          keys={keyFor.page(KEYS.redo)}
           disabled={!canRedo}
           testId="redo"
           data-fold={7}
@@ -78,7 +79,7 @@ export function TeamStop() {
       type="button"
       className="team-stop row"
       data-testid="team-stop"
-      title={`${t("stop.label")} (${keyFor.page("stop")})`}
+      title={`${t("stop.label")} (${keyFor.page(STOP_KEY)})`}
       onClick={stopEverything}
     >
       <Icon name="octagon-x" size={24} />

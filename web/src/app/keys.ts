@@ -4,9 +4,10 @@
 import { useEffect } from "react";
 
 import { show, useDocument } from "../session/document";
-import type { PageCommand } from "../session/features";
-import { keyIn, type KeyRow, PAGE_KEYS } from "../session/key-table";
+import { chordOf } from "../session/key-table";
 import { FEATURES } from "./features";
+
+const PAGE_KEYS = FEATURES.flatMap(({ keys }) => Object.values(keys ?? {}));
 
 function typing(target: EventTarget | null): boolean {
   return (
@@ -15,18 +16,11 @@ function typing(target: EventTarget | null): boolean {
   );
 }
 
-/** What each key of the page does. */
-export function actionOf(id: PageCommand): (() => void) | null {
-  return FEATURES.find(({ commands }) => commands?.[id] !== undefined)?.commands?.[id] ?? null;
-}
-
 /** What a key means here, or null. */
 export function keyMeaning(event: KeyboardEvent): (() => void) | null {
-  const id = keyIn(PAGE_KEYS, event);
-  if (id !== null) {
-    const row: KeyRow = PAGE_KEYS[id];
-    return row.typing !== true && typing(event.target) ? null : actionOf(id);
-  }
+  const chord = chordOf(event);
+  const key = PAGE_KEYS.find(({ chords }) => chords.includes(chord));
+  if (key !== undefined) return key.typing !== true && typing(event.target) ? null : key.run;
   if (event.key !== "Escape" || typing(event.target)) return null;
   const close = FEATURES.map(({ escape }) => escape?.() ?? null).find((one) => one !== null);
   return close ?? (useDocument.getState().overlay === null ? null : () => show(null));

@@ -4,7 +4,7 @@ import { type Key, type Language, languageInUse, LANGUAGES, t } from "../i18n/wo
 import { type StudioState, useStudio } from "../model/studio";
 import { goToProgram, moveActiveProgram, removeProgramNamed } from "../session/actions";
 import { complain, show } from "../session/document";
-import { type Feature, stopEverything } from "../session/features";
+import type { Feature } from "../session/features";
 import { keyFor } from "../session/key-table";
 import { type Panel, useLayout } from "../session/layout";
 import type { MenuEntries } from "../session/menu-table";
@@ -14,8 +14,8 @@ import { later } from "../ui/later";
 import { type MenuEntry, menuItem } from "../ui/menu-model";
 import { robotEntries } from "./AddProgram";
 import { downloadMission, downloadProgram } from "./downloads";
+import { KEYS } from "./page-keys";
 import { renameInTab } from "./renaming";
-import { goToRoom } from "./rooms";
 import type * as sheetsModule from "./Sheets";
 
 function fileEntries({ activeProgram, report }: StudioState): MenuEntries {
@@ -23,12 +23,12 @@ function fileEntries({ activeProgram, report }: StudioState): MenuEntries {
   const lll = t("file.download-lll", { name: activeProgram });
   return {
     open: [
-      menuItem("file-new", t("file.new"), keyFor.page("create"), () => show("new")),
-      menuItem("file-open", t("file.open"), keyFor.page("open"), () => show("open")),
+      menuItem("file-new", t("file.new"), keyFor.page(KEYS.create), () => show("new")),
+      menuItem("file-open", t("file.open"), keyFor.page(KEYS.open), () => show("open")),
     ],
     save: [
-      menuItem("file-save", t("file.save"), keyFor.page("save"), save),
-      menuItem("file-save-as", t("file.save-as"), keyFor.page("saveAs"), () => show("save-as")),
+      menuItem("file-save", t("file.save"), keyFor.page(KEYS.save), save),
+      menuItem("file-save-as", t("file.save-as"), keyFor.page(KEYS.saveAs), () => show("save-as")),
     ],
     download: [
       menuItem("file-download-krt", t("file.download-krt"), null, downloadMission),
@@ -42,8 +42,8 @@ function historyEntries({ undo, redo, canUndo, canRedo, undoLabel, redoLabel }: 
   const redoing = redoLabel === "" ? t("edit.redo") : t("edit.redo-what", { what: redoLabel });
   return {
     history: [
-      menuItem("edit-undo", undoing, keyFor.page("undo"), undo, !canUndo),
-      menuItem("edit-redo", redoing, keyFor.page("redo"), redo, !canRedo),
+      menuItem("edit-undo", undoing, keyFor.page(KEYS.undo), undo, !canUndo),
+      menuItem("edit-redo", redoing, keyFor.page(KEYS.redo), redo, !canRedo),
     ],
   };
 }
@@ -51,6 +51,12 @@ function historyEntries({ undo, redo, canUndo, canRedo, undoLabel, redoLabel }: 
 const THEMES: ThemeChoice[] = ["light", "dark", "contrast", "system"];
 const SPOKEN = Object.keys(LANGUAGES) as Language[];
 const PANELS: Panel[] = ["palette", "inspector", "code", "arena"];
+
+const WORDS: Feature["words"] = {
+  "file-download-lll": "search.source",
+  ...Object.fromEntries(THEMES.map((theme) => [`view-${theme}`, "search.theme" as const])),
+  ...Object.fromEntries(SPOKEN.map((language) => [`view-${language}`, "search.language" as const])),
+};
 
 function lookEntries(choice: ThemeChoice, folded: Record<Panel, boolean>): MenuEntry[] {
   return [
@@ -88,14 +94,20 @@ function programEntries({ activeProgram, catalogue, mission }: StudioState): Men
   return {
     "new-program": [{ kind: "heading", id: "program-add", label: t("program.add") }, ...robotEntries(catalogue.robots)],
     program: [
-      menuItem("program-rename", t("program.rename"), keyFor.page("rename"), ask),
-      menuItem("program-next", t("program.next"), keyFor.page("nextProgram"), () => goToProgram(1), only),
-      menuItem("program-previous", t("program.previous"), keyFor.page("previousProgram"), () => goToProgram(-1), only),
-      menuItem("program-later", t("program.later"), keyFor.page("programLater"), () => moveActiveProgram(1), only),
+      menuItem("program-rename", t("program.rename"), keyFor.page(KEYS.rename), ask),
+      menuItem("program-next", t("program.next"), keyFor.page(KEYS.nextProgram), () => goToProgram(1), only),
+      menuItem(
+        "program-previous",
+        t("program.previous"),
+        keyFor.page(KEYS.previousProgram),
+        () => goToProgram(-1),
+        only,
+      ),
+      menuItem("program-later", t("program.later"), keyFor.page(KEYS.programLater), () => moveActiveProgram(1), only),
       menuItem(
         "program-earlier",
         t("program.earlier"),
-        keyFor.page("programEarlier"),
+        keyFor.page(KEYS.programEarlier),
         () => moveActiveProgram(-1),
         only,
       ),
@@ -114,7 +126,7 @@ function useMenu(): MenuEntries {
     ...programEntries(studio),
     look: lookEntries(choice, folded),
     help: [
-      menuItem("help-shortcuts", t("help.shortcuts"), keyFor.page("shortcuts"), () => show("shortcuts")),
+      menuItem("help-shortcuts", t("help.shortcuts"), keyFor.page(KEYS.shortcuts), () => show("shortcuts")),
       menuItem("help-about", t("help.about"), null, () => show("about")),
     ],
   };
@@ -141,24 +153,9 @@ declare module "../session/document" {
 
 export const page: Feature = {
   name: "page",
-  commands: {
-    stop: stopEverything,
-    create: () => show("new"),
-    open: () => show("open"),
-    save: () => void save(),
-    saveAs: () => show("save-as"),
-    undo: () => useStudio.getState().undo(),
-    redo: () => useStudio.getState().redo(),
-    nextRoom: () => goToRoom(1),
-    previousRoom: () => goToRoom(-1),
-    nextProgram: () => goToProgram(1),
-    previousProgram: () => goToProgram(-1),
-    programLater: () => moveActiveProgram(1),
-    programEarlier: () => moveActiveProgram(-1),
-    rename: () => renameInTab(useStudio.getState().activeProgram),
-    addProgram: () => document.querySelector<HTMLElement>(".add-program button")?.click(),
-    shortcuts: () => show("shortcuts"),
-  },
+  keys: KEYS,
+  words: WORDS,
+  elsewhere: [{ name: "help.keys-save", says: "elsewhere.merge", also: "search.merge" }],
   useMenu,
   sheets: {
     "save-as": inSheets("SaveAsSheet", true),

@@ -5,8 +5,10 @@
  * was overtaken is dropped. A change whose report came with it (a typed text) is not asked about again. While the server
  * cannot be reached the last report stands, one banner says so, and the next change asks again.
  */
+import { create } from "zustand";
+
 import { api } from "../api/client";
-import { languageInUse } from "../i18n/words";
+import { type Language, languageInUse } from "../i18n/words";
 import { useStudio } from "../model/studio";
 import type { Mission, Report } from "../model/types";
 import { acceptReport, forgetReport, isChecked } from "./checked";
@@ -15,8 +17,14 @@ import { complain, dismissBanner, useDocument } from "./document";
 /** A question that takes longer than this is called off when there is a newer one. */
 const PATIENCE_MS = 3000;
 
-/** What the report that stands is said in. */
-let said = languageInUse();
+interface Checking {
+  /** What the report that stands is said in. */
+  language: Language;
+  ask: () => void;
+}
+
+const NOTHING = () => undefined;
+const useChecking = create<Checking>(() => ({ language: languageInUse(), ask: NOTHING }));
 
 interface Checker<Answer> {
   check: (mission: Mission, path: string, signal: AbortSignal) => Promise<Answer>;
@@ -60,11 +68,9 @@ export function makeChecker<Answer = Report>({
   };
 }
 
-let asking = (): void => undefined;
-
 /** Checks once more, though nothing changed: the request before may have failed. */
 export function checkAgain(): void {
-  asking();
+  useChecking.getState().ask();
 }
 
 /** Starts checking; the returned function ends it. */
@@ -94,12 +100,10 @@ export function keepChecking(): () => void {
     if (useStudio.getState().report === null) timer ??= setTimeout(now, 0);
     else now();
   };
-  if (said !== languageInUse()) {
-    said = languageInUse();
-    forgetReport();
-  }
+  const language = languageInUse();
+  if (useChecking.getState().language !== language) forgetReport();
+  useChecking.setState({ language, ask: now });
   again();
-  asking = now;
   const offMission = useStudio.subscribe((state, before) => {
     // Robots, constructors or the world are other ones: what was said of the mission may be wrong now.
     const place = state.world !== before.world && state.mission.own_world == null;
@@ -111,7 +115,7 @@ export function keepChecking(): () => void {
     if (state.ready && !before.ready) again();
   });
   return () => {
-    asking = () => undefined;
+    useChecking.setState({ ask: NOTHING });
     clearTimeout(timer);
     offMission();
     offReady();

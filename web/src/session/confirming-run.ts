@@ -1,4 +1,6 @@
 /** Runs of the simulator that show what a check found: played as fast as they go up to the moment, where they pause. */
+import { create } from "zustand";
+
 import type { ConfirmingRun } from "../api/generated";
 import type { Mission, Problem } from "../model/types";
 import { isLive, useRun } from "./run";
@@ -24,11 +26,12 @@ export function withFailures(mission: Mission, run: ConfirmingRun): Mission {
   return failures.length === 0 ? mission : { ...mission, failures: failures.sort((a, b) => a.at_s - b.at_s) };
 }
 
-let following: (() => void) | null = null;
+/** Ends waiting for the moment of the run that is played. */
+const useFollowing = create<{ end: (() => void) | null }>(() => ({ end: null }));
 
 export function playConfirming({ mission, path }: Whose, run: ConfirmingRun): void {
   if (isHeldByRobots()) return;
-  following?.();
+  useFollowing.getState().end?.();
   const changed = withFailures(mission, run);
   const like = { mission: changed, seed: run.seed, speed: 0, fail_rate: 0, seconds: RUN_S };
   useRun.getState().start({ mission, path }, like);
@@ -37,13 +40,13 @@ export function playConfirming({ mission, path }: Whose, run: ConfirmingRun): vo
     const there = now.tick >= run.tick;
     if (now.status === "running" && !there) return;
     end();
-    following = null;
+    useFollowing.setState({ end: null });
     if (!there) return;
     now.pause();
     now.seek(run.tick);
     now.setSpeed(now.speed);
   });
-  following = end;
+  useFollowing.setState({ end });
 }
 
 const shown = new WeakMap<Problem, Whose & { run: ConfirmingRun }>();

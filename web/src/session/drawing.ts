@@ -24,14 +24,16 @@ export interface Drawing {
 
 const made = new WeakMap<Program, Drawing & { lanes: string }>();
 
-let acting: { programs: unknown; catalogue: unknown; of: ReturnType<typeof actingIn> } | null = null;
+const acting = new WeakMap<object, { catalogue: unknown; of: ReturnType<typeof actingIn> }>();
 
 /** Who acts where in a team's program; that depends on its other programs too. */
 function actingOf({ mission: { programs }, catalogue }: StudioState, program: Program) {
   if (program.robot !== TEAM_ROBOT) return undefined;
-  if (acting?.programs !== programs || acting.catalogue !== catalogue)
-    acting = { programs, catalogue, of: actingIn(programs, catalogue) };
-  return acting.of.get(program.name);
+  const known = acting.get(programs);
+  if (known?.catalogue === catalogue) return known.of.get(program.name);
+  const of = actingIn(programs, catalogue);
+  acting.set(programs, { catalogue, of });
+  return of.get(program.name);
 }
 
 /** The drawing of the program in view, or null while nothing is open. */

@@ -8,11 +8,9 @@ import type { ComponentType, ReactNode } from "react";
 
 import type { Key } from "../i18n/words";
 import type { Overlays } from "./document";
-import type { PAGE_KEYS } from "./key-table";
+import type { KeyRow, KeyTable, PageKey } from "./key-table";
 import type { Panel } from "./layout";
 import type { MenuEntries } from "./menu-table";
-
-export type PageCommand = keyof typeof PAGE_KEYS;
 
 /**
  * Places where parts of several features stand side by side: under the head, in the toolbar, at its end, behind the tabs,
@@ -45,8 +43,14 @@ export interface Feature {
   tab?: FeatureTab;
   /** Panels below the graph, of which one is open (`session/dock`), by the ids of their elements. */
   docks?: Record<string, ComponentType>;
-  /** What keys of the page do; each key belongs to one feature. */
-  commands?: Partial<Record<PageCommand, () => void>>;
+  /** Keys of the page; each belongs to one feature. */
+  keys?: Readonly<Record<string, PageKey>>;
+  /** Keys of a place of its own. */
+  keyTables?: readonly KeyTable[];
+  /** Words of the field for entries of menus, by their ids, as `also` of a key. */
+  words?: Readonly<Record<string, Key>>;
+  /** What has neither a key nor a menu: its name, where it is, and the words that find it. */
+  elsewhere?: readonly { name: Key; says: Key; also: Key }[];
   /** A hook: the entries as they are now. */
   useMenu?: () => MenuEntries;
   /** Each with its name in `Overlays`. */
@@ -72,6 +76,9 @@ export function install(features: readonly Feature[]): void {
 export function features(): readonly Feature[] {
   return installed;
 }
+
+/** The key of STOP. */
+export const STOP_KEY: KeyRow = { chords: ["Shift+F5"], says: "help.keys-stop", also: "search.stop", typing: true };
 
 /** STOP: the run, and every real robot. */
 export function stopEverything(): void {

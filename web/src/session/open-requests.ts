@@ -1,4 +1,6 @@
 /** What a person asks to open. Whatever would throw unsaved changes away asks first. */
+import { create } from "zustand";
+
 import { api, ApiError } from "../api/client";
 import type { Left } from "../api/generated";
 import { journalApi } from "../api/journal";
@@ -13,18 +15,18 @@ import { isRecording } from "./recordings";
 import { save } from "./saving";
 
 /** While the first mission is on its way. */
-let beginning: Promise<void> | null = null;
+const useBeginning = create<{ beginning: Promise<void> | null }>(() => ({ beginning: null }));
 
 /** What is asked before the first mission is there waits for it, and is not covered by it then. */
 export function holdUntil(begun: Promise<void>): Promise<void> {
-  beginning = begun.finally(() => {
-    beginning = null;
-  });
+  const beginning = begun.finally(() => useBeginning.setState({ beginning: null }));
+  useBeginning.setState({ beginning });
   return beginning;
 }
 
 /** Goes on where nothing is unsaved; else asks. `path` is what will be open then, "" for nothing that has a place. */
 function unlessUnsaved(go: () => Promise<boolean>, path = ""): void {
+  const { beginning } = useBeginning.getState();
   if (beginning !== null) {
     void whileOpening(beginning.then(() => unlessUnsaved(go, path)));
     return;

@@ -1,4 +1,6 @@
 /** How a mission becomes the open one: from a file, a recording, or the work that was left on it. */
+import { create } from "zustand";
+
 import { api } from "../api/client";
 import type { ClaimedJournal, Recording } from "../api/generated";
 import { t } from "../i18n/words";
@@ -76,16 +78,19 @@ export function loadFromDisk(): void {
   void bringMission(() => api.mission(path));
 }
 
-let underWay = 0;
+const useUnderWay = create(() => ({ count: 0 }));
+
+function countOpening(by: 1 | -1): void {
+  useUnderWay.setState(({ count }) => ({ count: count + by }));
+  setOpening(useUnderWay.getState().count > 0);
+}
 
 export async function whileOpening<T>(work: Promise<T>): Promise<T> {
-  underWay++;
-  setOpening(true);
+  countOpening(1);
   try {
     return await work;
   } finally {
-    underWay--;
-    setOpening(underWay > 0);
+    countOpening(-1);
   }
 }
 

@@ -1,4 +1,6 @@
 /** What the pens of a run drew, as the server tells it: a list that grows at its end and is cut when the run goes back. */
+import { create } from "zustand";
+
 import type { Drawing, RunMessage } from "../api/wire";
 
 export type PenMark = Drawing["marks"][number];
@@ -10,10 +12,10 @@ interface Drawn {
 }
 
 const NOTHING: Drawn = { marks: [], pens: [] };
-let drawn = NOTHING;
+const usePens = create(() => NOTHING);
 
 export function drawnByPens(): Drawn {
-  return drawn;
+  return usePens.getState();
 }
 
 export function drawnAfter(before: Drawn, message: RunMessage): Drawn {
@@ -24,9 +26,9 @@ export function drawnAfter(before: Drawn, message: RunMessage): Drawn {
 }
 
 export function takeMarks(message: RunMessage): void {
-  drawn = drawnAfter(drawn, message);
+  usePens.setState((drawn) => drawnAfter(drawn, message));
 }
 
 export function forgetMarks(): void {
-  drawn = NOTHING;
+  usePens.setState(NOTHING);
 }

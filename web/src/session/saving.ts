@@ -1,4 +1,6 @@
 /** Saving, and the questions that come up on the way: a name that is taken, a file that somebody else changed. */
+import { create } from "zustand";
+
 import { api, ApiError } from "../api/client";
 import type { Saved } from "../api/generated";
 import { t } from "../i18n/words";
@@ -9,6 +11,25 @@ import { loadFromDisk } from "./opening";
 import { revisionMerged } from "./merges";
 import { isFromRecording } from "./recordings";
 
+/** A file of parts, and what is different in it from the one of its name, in words. */
+export interface PartDifference {
+  file: string;
+  changes: readonly string[];
+}
+
+interface Saving {
+  /** The save that is on its way. */
+  pending: Promise<boolean> | null;
+  /** Whether it was said already that the folder has no file locks. */
+  saidOfLocks: boolean;
+  part: PartDifference | null;
+}
+
+const useSaving = create<Saving>(() => ({ pending: null, saidOfLocks: false, part: null }));
+
+const set = useSaving.setState;
+const pending = () => useSaving.getState().pending;
+
 /** Whether Save has a place to write to: examples and new missions need a name first. */
 export function hasPlace(path: string): boolean {
   return path !== "" && !path.startsWith("example:") && !isFromRecording(path);
@@ -17,7 +38,7 @@ export function hasPlace(path: string): boolean {
 /** Saves where the mission is from, or asks for a name. True when it is on disk. */
 export async function save(): Promise<boolean> {
   // One after another: the next needs the revision that this one gives.
-  while (writing !== null) await writing;
+  for (let on = pending(); on !== null; on = pending()) await on;
   const { path } = useStudio.getState().file;
   if (!hasPlace(path)) {
     show("save-as");
@@ -25,9 +46,6 @@ export async function save(): Promise<boolean> {
   }
   return write(path, revisionMerged());
 }
-
-/** Whether it was said already that the folder has no file locks. */
-let toldOfLocks = false;
 
 /** A mission is on disk, as it was when `before` was open and asked to be saved; true when that is what is shown. */
 function written({ path, revision, locked }: Saved, mission: Mission, before: unknown): boolean {
@@ -41,19 +59,16 @@ function written({ path, revision, locked }: Saved, mission: Mission, before: un
 
 function saidOfSave(locked: boolean | undefined): void {
   missionSaved();
-  if (locked !== false || toldOfLocks) return;
-  toldOfLocks = true;
+  if (locked !== false || useSaving.getState().saidOfLocks) return;
+  set({ saidOfLocks: true });
   question(t("disk.no-locks"), [], "note", t("disk.no-locks-help"));
 }
 
-/** The save that is on its way. */
-let writing: Promise<boolean> | null = null;
-
 export async function write(path: string, revision: string): Promise<boolean> {
   const mine = writeNow(path, revision).finally(() => {
-    if (writing === mine) writing = null;
+    if (pending() === mine) set({ pending: null });
   });
-  writing = mine;
+  set({ pending: mine });
   return mine;
 }
 
@@ -91,20 +106,12 @@ function conflict(path: string, revision: string): void {
   ]);
 }
 
-/** A file of parts, and what is different in it from the one of its name, in words. */
-export interface PartDifference {
-  file: string;
-  changes: readonly string[];
-}
-
-let part: PartDifference | null = null;
-
 /** What the sheet of differences is about; null: the open mission. */
-export const partDifference = () => part;
+export const partDifference = () => useSaving.getState().part;
 
 /** Shows what is different between the open mission, or a file of parts, and the file there is; the question stays meanwhile. */
 export function showDifference(again: () => void, of: PartDifference | null = null): void {
-  part = of;
+  set({ part: of });
   show("difference");
   again();
 }

@@ -37,3 +37,24 @@ it("every class that has a rule stands in the source, whole or as `beginning-${â
     ),
   ).toEqual([]);
 });
+
+/** `file: declaration`, of the rules that are not tokens themselves. */
+function declarations(property: string): string[] {
+  const pattern = new RegExp(`(?<=[;{\\s])(?:${property}): ([^;}]+)`, "g");
+  return Object.entries(SHEETS)
+    .filter(([path]) => !path.endsWith("/tokens.css"))
+    .flatMap(([path, text]) => [...text.matchAll(pattern)].map(([words]) => `${path}: ${words}`));
+}
+
+it("every layer is a token", () => {
+  const layers = declarations("z-index");
+  expect(layers.length).toBeGreaterThan(30);
+  expect(layers.filter((one) => !/: var\(--layer-[\w-]+\)( !important)?$/.test(one))).toEqual([]);
+});
+
+// Paper is measured in points; what fills a wall goes by the window's width.
+it("every size of letters on a screen is a token", () => {
+  const sizes = declarations("font-size|font");
+  expect(sizes.length).toBeGreaterThan(100);
+  expect(sizes.filter((one) => /[\d.](?:px|rem)/.test(one) && !one.includes("clamp("))).toEqual([]);
+});

@@ -1,19 +1,8 @@
 /** The place where the robots are: before a run as the mission starts, during a run as it goes. */
-import {
-  type KeyboardEvent,
-  type MouseEvent,
-  type PointerEvent,
-  useCallback,
-  useEffect,
-  useRef,
-  useState,
-} from "react";
+import { type KeyboardEvent, useEffect, useRef, useState } from "react";
 
 import { isEnded, useRun } from "../../session/run";
-import { startOf } from "../../model/starts";
-import { useStudio } from "../../model/studio";
-import { GRID_MM } from "../../model/world/thing";
-import { ARENA_KEYS, keyFor, keyIn } from "../../session/key-table";
+import { keyFor, keyIn } from "../../session/key-table";
 import { watchFrames } from "../../session/poses";
 import { toggleText, useStage } from "../../session/stage";
 import { Seed } from "./Seed";
@@ -22,15 +11,15 @@ import { decimal } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import "./arena.css";
 import { EmptyArena } from "./EmptyArena";
-import { toWorld } from "../../components/scene/camera";
 import { CROWD } from "../../components/scene/crowd-size";
 import { Painter } from "../../components/scene/painter";
+import { ARENA_KEYS, PAGE_KEYS } from "./keys";
 import { openShown, toggleStage, useStageParts } from "./parts";
-import { choose, follow, openRobotMenu, stopFollowing, useRobots } from "./robots";
+import { choose, follow, openRobotMenu, useRobots } from "./robots";
 import type { Scene } from "../../components/scene/scene";
 import { complain } from "../../session/document";
 import { later } from "../../ui/later";
-import { watchPinch } from "../../ui/pinch";
+import { useArenaPointer } from "./use-arena-pointer";
 import { useScene, useSelected, useSummary } from "./use-scene";
 import { Tool } from "../../ui/Tool";
 
@@ -40,13 +29,8 @@ const Hands = later(() => import("./Hands").then((chunk) => chunk.Hands), compla
 
 const Placing = later(() => import("./Placing").then((chunk) => chunk.Placing), complain);
 
-const CLICK_PX = 4;
-const NOWHERE = { scale: 1, x: 0, y: 0 };
 /** One press of an arrow key. */
 const PAN_PX = 40;
-/** How long a finger rests on a robot to open its menu. */
-const REST_MS = 550;
-
 interface HeadingProps {
   scene: Scene | null;
   painter: Painter | null;
@@ -108,7 +92,7 @@ function Heading({ scene, painter, stage }: HeadingProps) {
           small
           icon="maximize-2"
           label={t("arena.large")}
-          keys={keyFor.page("stage")}
+          keys={keyFor.page(PAGE_KEYS.stage)}
           testId="arena-large"
           aria-pressed={large}
           onClick={toggleStage}
@@ -116,11 +100,6 @@ function Heading({ scene, painter, stage }: HeadingProps) {
       </span>
     </header>
   );
-}
-
-/** Who takes the world into the hand follows nobody any more. */
-function letRobotGo(): void {
-  if (useRobots.getState().followed !== "") stopFollowing();
 }
 
 export function Arena() {
@@ -132,10 +111,6 @@ export function Arena() {
   const canvas = useRef<HTMLCanvasElement>(null);
   const [painter, setPainter] = useState<Painter | null>(null);
   const [near, setNear] = useState(false);
-  /** Keys of drawn boards that pointers hold, by the pointer. */
-  const holding = useRef(new Map<number, { agent: string; sensor: string }>());
-  const grip = useRef<{ x: number; y: number; moved: boolean; actor: string } | null>(null);
-  const resting = useRef<ReturnType<typeof setTimeout>>(undefined);
   const { program, followed } = useRobots();
   const menu = useRobots((state) => state.menu !== null);
   const stage = useStageParts();
@@ -181,14 +156,7 @@ export function Arena() {
     painter?.themeChanged();
   }, [painter, theme]);
 
-  const menuAt = (x: number, y: number) => {
-    const place = canvas.current?.getBoundingClientRect();
-    if (place === undefined) return;
-    const found = painter?.actorAt(x - place.left, y - place.top);
-    if (found === null || found === undefined) return;
-    choose(found.actor);
-    openRobotMenu(found.actor.name, x, y);
-  };
+  const pointer = useArenaPointer(canvas, painter, scene);
   /** The menu of the robot that wears the ring, beside it. */
   const menuOfSelected = () => {
     const place = canvas.current?.getBoundingClientRect();
@@ -196,107 +164,6 @@ export function Arena() {
     if (place === undefined || at === null || at === undefined) return;
     const inside = (value: number, most: number) => Math.min(Math.max(value, 0), most);
     openRobotMenu(selected, place.left + inside(at[0], place.width), place.top + inside(at[1], place.height));
-  };
-  const onPointerDown = (event: PointerEvent<HTMLCanvasElement>) => {
-    if (event.button !== 0) return;
-    event.currentTarget.setPointerCapture(event.pointerId);
-    const { clientX: x, clientY: y } = event;
-    const place = event.currentTarget.getBoundingClientRect();
-    const key = painter?.keyAt(x - place.left, y - place.top) ?? null;
-    if (key !== null && painter?.boards?.press(key.agent, key.sensor) === true) {
-      holding.current.set(event.pointerId, key);
-      return;
-    }
-    if (!event.isPrimary) return;
-    // Before a run a robot can be taken to another place; during one it is where it is.
-    const found = scene?.running === false ? painter?.actorAt(x - place.left, y - place.top) : null;
-    grip.current = { x, y, moved: false, actor: found?.actor.name ?? "" };
-    if (event.pointerType === "mouse") return;
-    resting.current = setTimeout(() => {
-      grip.current = null;
-      menuAt(x, y);
-    }, REST_MS);
-  };
-  const onContextMenu = (event: MouseEvent) => {
-    event.preventDefault();
-    // A key opens it where the keyboard's robot is; a finger that rests has its own timer.
-    if (event.button === 2) menuAt(event.clientX, event.clientY);
-  };
-  const onPointerMove = (event: PointerEvent<HTMLCanvasElement>) => {
-    const held = grip.current;
-    if (held === null) {
-      const place = event.currentTarget.getBoundingClientRect();
-      const key = painter?.keyAt(event.clientX - place.left, event.clientY - place.top) ?? null;
-      event.currentTarget.style.cursor = key === null ? "" : "pointer";
-      return;
-    }
-    const [dx, dy] = [event.clientX - held.x, event.clientY - held.y];
-    if (!held.moved && Math.hypot(dx, dy) < CLICK_PX) return;
-    clearTimeout(resting.current);
-    if (held.actor !== "") {
-      const place = canvas.current?.getBoundingClientRect();
-      painter?.carry(held.actor, event.clientX - (place?.left ?? 0), event.clientY - (place?.top ?? 0));
-      grip.current = { ...held, moved: true };
-      return;
-    }
-    letRobotGo();
-    painter?.pan(dx, dy);
-    grip.current = { ...held, x: event.clientX, y: event.clientY, moved: true };
-  };
-  const drop = (actor: string, event: PointerEvent<HTMLCanvasElement>) => {
-    const place = event.currentTarget.getBoundingClientRect();
-    const [x, y] = toWorld(painter?.view ?? NOWHERE, event.clientX - place.left, event.clientY - place.top);
-    const grid = event.altKey ? 1 : GRID_MM;
-    const agent = useStudio.getState().mission.agents.find((one) => one.name === actor);
-    if (agent === undefined) return;
-    void import("../../session/world-edits")
-      .then(({ moveStart }) => moveStart(startOf(agent), Math.round(x / grid) * grid, Math.round(y / grid) * grid))
-      .finally(() => painter?.putDown());
-  };
-  const letGo = ({ pointerId }: PointerEvent) => {
-    const key = holding.current.get(pointerId);
-    if (key !== undefined) painter?.boards?.release(key.agent, key.sensor);
-    holding.current.delete(pointerId);
-  };
-  /** What one finger or the mouse began, without an effect. */
-  const dropGrip = useCallback(() => {
-    painter?.putDown();
-    clearTimeout(resting.current);
-    grip.current = null;
-  }, [painter]);
-  useEffect(() => {
-    const drawn = canvas.current;
-    if (drawn === null || painter === null) return;
-    return watchPinch(drawn, {
-      begin: () => {
-        // Two fingers press two keys of a board.
-        if (holding.current.size > 0) return false;
-        dropGrip();
-        return true;
-      },
-      move: (before, now) => {
-        letRobotGo();
-        painter.pan(now.x - before.x, now.y - before.y);
-        painter.zoom(now.far / before.far, now.x, now.y);
-      },
-    });
-  }, [painter, dropGrip]);
-  const onPointerUp = (event: PointerEvent<HTMLCanvasElement>) => {
-    letGo(event);
-    const held = grip.current;
-    grip.current = null;
-    clearTimeout(resting.current);
-    if (held !== null && held.moved && held.actor !== "") {
-      drop(held.actor, event);
-      return;
-    }
-    if (held === null || held.moved) return;
-    const place = event.currentTarget.getBoundingClientRect();
-    const [x, y] = [event.clientX - place.left, event.clientY - place.top];
-    if (painter?.closeTagAt(x, y) === true) return;
-    const found = painter?.actorAt(x, y);
-    if (found === null || found === undefined) return;
-    choose(found.actor);
   };
   const next = (by: 1 | -1) => {
     const actors = scene?.actors ?? [];
@@ -361,15 +228,8 @@ export function Arena() {
           onFocus={() => setNear(true)}
           onPointerEnter={() => setNear(true)}
           onBlur={() => painter?.boards?.releaseAll()}
-          onContextMenu={onContextMenu}
           onDoubleClick={() => painter?.showSubject()}
-          onPointerDown={onPointerDown}
-          onPointerMove={onPointerMove}
-          onPointerUp={onPointerUp}
-          onPointerCancel={(event) => {
-            letGo(event);
-            dropGrip();
-          }}
+          {...pointer}
         />
         <EmptyArena scene={scene} />
         {near && painter !== null && scene?.running === false ? (

@@ -18,9 +18,10 @@ import { anchorOf, moved } from "../../model/world/moving";
 import { nameOf } from "../../model/world/names";
 import { shapeOf } from "../../model/world/shape";
 import { type Kind, partsOfKind, sameThing, type Thing } from "../../model/world/thing";
-import { ARENA_KEYS, keyIn } from "../../session/key-table";
+import { keyIn } from "../../session/key-table";
 import { keepMoved } from "../../session/world-edits";
 import { announce } from "./robots";
+import { ARENA_KEYS } from "./keys";
 import "./placing.css";
 
 const KINDS: readonly Kind[] = ["ball", "box", "wall"];

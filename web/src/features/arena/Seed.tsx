@@ -29,7 +29,7 @@ export function Seed() {
     <span className="seed">
       <label title={t("run.seed-help")}>
         {t("run.seed")}
-        <NumberInput className="" testId="seed" min={0} max={LARGEST} whole disabled={live} value={seed} keep={put} />
+        <NumberInput testId="seed" min={0} max={LARGEST} whole disabled={live} value={seed} keep={put} />
       </label>
       <Tool
         small

@@ -6,6 +6,7 @@
  * server. What cannot be pasted is said in a sentence and changes nothing.
  */
 import { useEffect } from "react";
+import { create } from "zustand";
 
 import { api } from "../../api/client";
 import { sentence, t } from "../../i18n/words";
@@ -21,7 +22,7 @@ import { sayOnCanvas, useView } from "../../session/view";
 const PIECE = "application/x-kitrobot-piece";
 
 /** What was copied here last: a menu can read the text only. */
-let last: { lll: string; piece: Program } | null = null;
+const useCopied = create<{ lll: string; piece: Program | null }>(() => ({ lll: "", piece: null }));
 
 function say(words: string): void {
   sayOnCanvas(words);
@@ -36,7 +37,7 @@ function copiedNow(): Copied | null {
 function fill(clipboard: DataTransfer): boolean {
   const copied = copiedNow();
   if (copied === null) return false;
-  last = { lll: copied.lll, piece: copied.program };
+  useCopied.setState({ lll: copied.lll, piece: copied.program });
   clipboard.setData("text/plain", copied.lll);
   clipboard.setData(PIECE, JSON.stringify(copied.program));
   return true;
@@ -64,7 +65,8 @@ export function pastePiece(piece: Program): boolean {
 
 /** Pastes a text: our own piece as it was copied, any other as the server reads it. */
 export async function pasteText(text: string): Promise<void> {
-  if (last !== null && text.trim() === last.lll.trim()) {
+  const last = useCopied.getState();
+  if (last.piece !== null && text.trim() === last.lll.trim()) {
     pastePiece(last.piece);
     return;
   }
@@ -98,7 +100,7 @@ export async function copySelection(): Promise<boolean> {
     say(t("copy.by-key"));
     return false;
   }
-  last = { lll: copied.lll, piece: copied.program };
+  useCopied.setState({ lll: copied.lll, piece: copied.program });
   return true;
 }
 

@@ -2,12 +2,16 @@
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { deleteSelection, duplicateSelection } from "../../session/edits";
-import { keyFor } from "../../session/key-table";
+import { keyFor, type PageKey } from "../../session/key-table";
 import type { MenuEntries } from "../../session/menu-table";
 import { openFind, toggleLive, useView } from "../../session/view";
 import { menuItem } from "../../ui/menu-model";
 import { copySelection, cutSelection, pasteFromMenu } from "./clipboard";
 import { selectAll } from "./keys";
+
+export const KEYS = {
+  find: { chords: ["Ctrl+F"], says: "help.keys-find", typing: true, run: openFind },
+} satisfies Record<string, PageKey>;
 
 export function useCanvasMenu(): MenuEntries {
   const nothing = useStudio((studio) => studio.selection.length === 0);
@@ -23,7 +27,7 @@ export function useCanvasMenu(): MenuEntries {
       menuItem("edit-duplicate", t("edit.duplicate"), keyFor.graph("duplicate"), duplicateSelection, nothing),
       menuItem("edit-select-all", t("edit.select-all"), keyFor.graph("all"), selectAll),
     ],
-    find: [menuItem("edit-find", t("edit.find"), keyFor.page("find"), openFind)],
+    find: [menuItem("edit-find", t("edit.find"), keyFor.page(KEYS.find), openFind)],
     viewport: [
       menuItem("view-fit", t("view.fit"), keyFor.graph("fit"), () => viewport?.fit(), away),
       menuItem(

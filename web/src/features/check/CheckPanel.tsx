@@ -7,6 +7,7 @@ import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { closeDock } from "../../session/dock";
 import { Button } from "../../ui/Button";
+import { Row } from "../../ui/Row";
 import { Select } from "../../ui/Select";
 import { Tool } from "../../ui/Tool";
 import { AnswerTable } from "./AnswerTable";
@@ -82,8 +83,7 @@ function Asking() {
         begin(readWhole(failures) ?? 0, kindsOf(kinds), readWhole(seconds) ?? 0);
       }}
     >
-      <label>
-        <span>{t("check.failures")}</span>
+      <Row label={t("check.failures")}>
         <Select
           label={t("check.failures")}
           testId="check-failures"
@@ -91,15 +91,13 @@ function Asking() {
           options={FAILURES}
           keep={setFailures}
         />
-      </label>
+      </Row>
       {failures === "0" ? null : (
-        <label>
-          <span>{t("check.kinds")}</span>
+        <Row label={t("check.kinds")}>
           <Select label={t("check.kinds")} testId="check-kinds" value={kinds} options={kindChoices()} keep={setKinds} />
-        </label>
+        </Row>
       )}
-      <label>
-        <span>{t("check.seconds")}</span>
+      <Row label={t("check.seconds")}>
         <Select
           label={t("check.seconds")}
           testId="check-seconds"
@@ -107,7 +105,7 @@ function Asking() {
           options={SECONDS.map((one) => [one, t("check.seconds-of", { seconds: grouped(readWhole(one) ?? 0) })])}
           keep={setSeconds}
         />
-      </label>
+      </Row>
       <Button icon="clipboard-check" type="submit" testId="check-begin" disabled={agents === 0}>
         {asked === null ? t("check.begin") : t("check.again")}
       </Button>

@@ -4,13 +4,17 @@ import { useStudio } from "../../model/studio";
 import { openDock } from "../../session/dock";
 import { complain } from "../../session/document";
 import type { Feature } from "../../session/features";
-import { keyFor } from "../../session/key-table";
+import { keyFor, type PageKey } from "../../session/key-table";
 import { later } from "../../ui/later";
 import { menuItem } from "../../ui/menu-model";
 
 const CheckPanel = later(() => import("./CheckPanel").then((chunk) => chunk.CheckPanel), complain);
 
 const open = () => openDock("check-panel");
+
+const KEYS = {
+  check: { chords: ["Alt+C"], says: "run.check", also: "search.verify", typing: true, run: open },
+} satisfies Record<string, PageKey>;
 
 /** The check while one draws is fetched at the first edit. */
 function start(): () => void {
@@ -34,7 +38,7 @@ function start(): () => void {
 export const check: Feature = {
   name: "check",
   docks: { "check-panel": CheckPanel },
-  commands: { check: open },
+  keys: KEYS,
   start,
-  useMenu: () => ({ sweep: [menuItem("run-check", t("run.check"), keyFor.page("check"), open)] }),
+  useMenu: () => ({ sweep: [menuItem("run-check", t("run.check"), keyFor.page(KEYS.check), open)] }),
 };

@@ -15,6 +15,7 @@ import { type CodeSide, showCode, useCodeSide } from "../../session/code-side";
 import { complain } from "../../session/document";
 import { useTyping } from "../../session/typing";
 import { later } from "../../ui/later";
+import { TabList } from "../../ui/TabList";
 import { Tool } from "../../ui/Tool";
 import { useListing } from "./listing";
 import { Lll } from "./Lll";
@@ -61,32 +62,19 @@ export function Code() {
   return (
     <div className="code" data-testid="code">
       <header className="side-tabs row rigid">
-        <div role="tablist" aria-label={t("view.code")} className="side-tablist">
-          {sides.map((one) => (
-            <button
-              key={one}
-              type="button"
-              role="tab"
-              className="side-tab ellipsis muted"
-              id={`code-tab-${one}`}
-              title={t(`code.${one}`)}
-              data-testid={`code-tab-${one}`}
-              aria-selected={side === one}
-              aria-controls="code-panel"
-              tabIndex={side === one ? 0 : -1}
-              onClick={() => showCode(one)}
-              onKeyDown={(event) => {
-                if (event.key !== "ArrowLeft" && event.key !== "ArrowRight") return;
-                const by = event.key === "ArrowRight" ? 1 : -1;
-                const next = sides[(sides.indexOf(one) + by + sides.length) % sides.length] ?? "lll";
-                showCode(next);
-                document.getElementById(`code-tab-${next}`)?.focus();
-              }}
-            >
-              {t(`code.${one}`)}
-            </button>
-          ))}
-        </div>
+        <TabList
+          label={t("view.code")}
+          id="code-tab"
+          names={sides}
+          open={side}
+          show={showCode}
+          controls="code-panel"
+          className="side-tablist"
+          tabClass="side-tab ellipsis muted"
+          title={(one) => t(`code.${one}`)}
+        >
+          {(one) => t(`code.${one}`)}
+        </TabList>
         {side === "projection" ? null : <CopyButton text={side === "lll" ? (typed ?? lll) : listing} />}
       </header>
       <div className="code-panel" id="code-panel" role="tabpanel" aria-labelledby={`code-tab-${side}`}>

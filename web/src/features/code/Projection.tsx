@@ -3,7 +3,7 @@
  *
  * A line shows its vertex, in whichever program that stands; selected vertices show their lines. Fetched when it is opened.
  */
-import { type KeyboardEvent, useCallback, useMemo, useState } from "react";
+import { useCallback, useMemo, useState } from "react";
 
 import { lllExtensions } from "../../components/text/extensions";
 import { TextView } from "../../components/text/TextView";
@@ -15,6 +15,7 @@ import { spansInUnits } from "../../session/places";
 import { closeTeam } from "../../session/team-view";
 import { useView } from "../../session/view";
 import { Icon } from "../../theme";
+import { TabList } from "../../ui/TabList";
 import { vertexAt } from "./spans";
 import "./projection.css";
 
@@ -84,37 +85,22 @@ export default function Projection() {
       </p>
     );
   }
-  const onKey = (event: KeyboardEvent) => {
-    const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
-    if (by === 0) return;
-    event.preventDefault();
-    const at = projections.indexOf(shown) + by;
-    const next = projections[(at + projections.length) % projections.length];
-    setWanted(next?.robot ?? "");
-    document.getElementById(`projection-${next?.robot ?? ""}`)?.focus();
-  };
   return (
     <div className="projection" data-testid="projection">
       <div className="projection-head row small-text">
-        <div className="side-tablist" role="tablist" aria-label={t("projection.kinds")} onKeyDown={onKey}>
-          {projections.map(({ robot }) => (
-            <button
-              key={robot}
-              type="button"
-              role="tab"
-              className="side-tab ellipsis muted"
-              id={`projection-${robot}`}
-              title={robot}
-              data-testid={`projection-${robot}`}
-              aria-selected={robot === shown.robot}
-              aria-controls="projection-text"
-              tabIndex={robot === shown.robot ? 0 : -1}
-              onClick={() => setWanted(robot)}
-            >
-              <bdi>{tabName(robot, mission)}</bdi>
-            </button>
-          ))}
-        </div>
+        <TabList
+          label={t("projection.kinds")}
+          id="projection"
+          names={projections.map(({ robot }) => robot)}
+          open={shown.robot}
+          show={setWanted}
+          controls="projection-text"
+          className="side-tablist"
+          tabClass="side-tab ellipsis muted"
+          title={(robot) => robot}
+        >
+          {(robot) => <bdi>{tabName(robot, mission)}</bdi>}
+        </TabList>
         <small className="projection-read row muted rigid">
           <Icon name="eye" size={14} /> {t("projection.read-only")}
         </small>

@@ -5,6 +5,7 @@ import { type Key, t } from "../../i18n/words";
 import type { Colour } from "../../model/types";
 import { Icon, Tile } from "../../theme";
 import { ICONS } from "../../theme/icons";
+import { Field } from "../../ui/Field";
 
 export interface LookOf {
   name: string;
@@ -31,40 +32,36 @@ export function Look({ look, wrong, onChange }: LookProps) {
   const icons = first === "" ? CHOICES : [first, ...CHOICES.filter((name) => name !== first)];
   return (
     <>
-      <label className="field-label muted small-text rigid" htmlFor={`${id}-name`}>
-        {t("own.name")}
-      </label>
-      <input
-        id={`${id}-name`}
-        className="field"
-        data-testid="own-name"
-        dir="auto"
-        value={look.name}
-        autoFocus
-        spellCheck={false}
-        autoComplete="off"
-        maxLength={80}
-        aria-invalid={wrong !== ""}
-        aria-describedby={`${id}-wrong`}
-        onFocus={(event) => event.target.select()}
-        onChange={(event) => onChange({ ...look, name: event.target.value })}
-      />
+      <Field label={t("own.name")}>
+        <input
+          className="field"
+          data-testid="own-name"
+          dir="auto"
+          value={look.name}
+          autoFocus
+          spellCheck={false}
+          autoComplete="off"
+          maxLength={80}
+          aria-invalid={wrong !== ""}
+          aria-describedby={`${id}-wrong`}
+          onFocus={(event) => event.target.select()}
+          onChange={(event) => onChange({ ...look, name: event.target.value })}
+        />
+      </Field>
       <p className="own-wrong small-text" id={`${id}-wrong`} role="status">
         {wrong}
       </p>
-      <label className="field-label muted small-text rigid" htmlFor={`${id}-help`}>
-        {t("own.help")}
-      </label>
-      <input
-        id={`${id}-help`}
-        className="field"
-        data-testid="own-help-text"
-        dir="auto"
-        value={look.help}
-        autoComplete="off"
-        maxLength={300}
-        onChange={(event) => onChange({ ...look, help: event.target.value })}
-      />
+      <Field label={t("own.help")}>
+        <input
+          className="field"
+          data-testid="own-help-text"
+          dir="auto"
+          value={look.help}
+          autoComplete="off"
+          maxLength={300}
+          onChange={(event) => onChange({ ...look, help: event.target.value })}
+        />
+      </Field>
       <fieldset className="own-colours">
         <legend className="field-label muted small-text rigid">{t("own.colour")}</legend>
         {COLOURS.map((colour) => (

@@ -5,6 +5,7 @@ import { type Key, t } from "../../i18n/words";
 import { partsOf, title } from "../../model/parts";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
+import { Checkbox } from "../../ui/Checkbox";
 import { NumberRange } from "./NumberRange";
 import { depthsOf, type Opening, TYPED } from "./openings";
 
@@ -65,16 +66,10 @@ function Row({ opening, depth, program, onChange }: RowProps) {
   const what = offer.slot === "" ? t("own.open-vertex", { part }) : t("own.open-slot", { slot, part });
   return (
     <li style={{ paddingInlineStart: depth * 16 }} data-testid={`opening-${opening.key.replace(" ", "-")}`}>
-      <label className="own-check row">
-        <input
-          type="checkbox"
-          checked={on}
-          disabled={offer.is_open}
-          onChange={(event) => onChange({ on: event.target.checked })}
-        />
+      <Checkbox className="own-check" checked={on} disabled={offer.is_open} set={(on) => onChange({ on })}>
         <span>{what}</span>
         <span className="own-aside muted small-text">{offer.is_open ? t("own.must") : now}</span>
-      </label>
+      </Checkbox>
       {on ? (
         <div className="own-opening wrap">
           <label htmlFor={`${id}-name`} className="own-named">

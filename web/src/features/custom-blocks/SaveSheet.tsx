@@ -10,6 +10,7 @@ import { partsOf } from "../../model/parts";
 import { useStudio } from "../../model/studio";
 import type { Mission } from "../../model/types";
 import { closeSheet } from "../../session/custom-blocks";
+import { Checkbox } from "../../ui/Checkbox";
 import { Sheet } from "../../ui/Sheet";
 import { Look, type LookOf } from "./Look";
 import { freePartName, plainName, wrongWith } from "./naming";
@@ -163,15 +164,9 @@ export function SaveSheet({ program, vertices }: { program: string; vertices: st
           </div>
         </div>
         {offered === null ? null : <Openings program={program} openings={openings} onChange={setOpenings} />}
-        <label className="own-check row">
-          <input
-            type="checkbox"
-            checked={inPlace}
-            data-testid="own-in-place"
-            onChange={(event) => setInPlace(event.target.checked)}
-          />
+        <Checkbox className="own-check" testId="own-in-place" checked={inPlace} set={setInPlace}>
           {t("own.in-place")}
-        </label>
+        </Checkbox>
         <SheetEnd why={failure} keep={t("own.saving")} disabled={wish === null || failure !== ""} />
       </form>
     </Sheet>

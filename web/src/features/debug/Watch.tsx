@@ -124,6 +124,7 @@ function Row({ object, agent, sensor }: { object: RobotObject; agent: RunAgent; 
       <td className="watch-value">
         {object.type === "boolean" ? (
           <select
+            className="field"
             aria-label={label}
             disabled={!live}
             value={value}
@@ -182,6 +183,7 @@ function NumberCell({
   };
   return (
     <input
+      className="field"
       type="text"
       inputMode="numeric"
       size={7}

@@ -11,6 +11,7 @@ const WatchPanel = later(() => import("./Watch").then((chunk) => chunk.WatchPane
 
 export const debug: Feature = {
   name: "debug",
+  elsewhere: [{ name: "debug.watch", says: "elsewhere.watch", also: "search.watch" }],
   docks: { "watch-panel": WatchPanel },
   slots: { bottom: WatchButton },
   start: () => {

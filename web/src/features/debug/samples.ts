@@ -3,6 +3,8 @@
  *
  * A sample is taken of each message of a run; going back takes nothing away, another future does.
  */
+import { create } from "zustand";
+
 import { useRun } from "../../session/run";
 
 const MOST = 2000;
@@ -18,10 +20,10 @@ interface Bounds {
   most: number;
 }
 
-let samples: Sample[] = [];
+const useSamples = create<{ samples: readonly Sample[] }>(() => ({ samples: [] }));
 
 export function samplesNow(): readonly Sample[] {
-  return samples;
+  return useSamples.getState().samples;
 }
 
 /** One value over time, oldest first. */
@@ -64,13 +66,14 @@ export function stepsPath(
 /** Takes samples as the run goes; the returned function ends that. */
 export function takeSamples(): () => void {
   return useRun.subscribe((now, before) => {
-    if (now.latest === 0) samples = [];
+    if (now.latest === 0) useSamples.setState({ samples: [] });
     if (now.agents.length === 0) return;
     if (now.agents === before.agents && now.tick === before.tick) return;
-    if (now.latest < before.latest) samples = samples.filter((one) => one.tick < now.tick);
+    const kept = samplesNow();
+    const samples = now.latest < before.latest ? kept.filter((one) => one.tick < now.tick) : kept;
     const last = samples.at(-1);
     if (last !== undefined && now.tick <= last.tick) return;
     const values = new Map(now.agents.map((agent) => [agent.name, { ...agent.inputs, ...agent.values }]));
-    samples = [...samples.slice(1 - MOST), { tick: now.tick, values }];
+    useSamples.setState({ samples: [...samples.slice(1 - MOST), { tick: now.tick, values }] });
   });
 }

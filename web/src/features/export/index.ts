@@ -3,7 +3,7 @@ import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { complain, show } from "../../session/document";
 import type { Feature } from "../../session/features";
-import { keyFor } from "../../session/key-table";
+import { keyFor, type PageKey } from "../../session/key-table";
 import type { MenuEntries } from "../../session/menu-table";
 import { menuItem } from "../../ui/menu-model";
 import { later } from "../../ui/later";
@@ -25,6 +25,10 @@ declare module "../../session/document" {
   }
 }
 
+const KEYS = {
+  print: { chords: ["Ctrl+P"], says: "out.print", typing: true, run: printSheet },
+} satisfies Record<string, PageKey>;
+
 function useMenu(): MenuEntries {
   const program = useStudio((studio) => studio.activeProgram);
   const kri = t("out.download-kri", { name: program });
@@ -41,13 +45,19 @@ function useMenu(): MenuEntries {
         show("pdf");
       }),
     ],
-    print: [menuItem("file-print", t("out.print"), keyFor.page("print"), printSheet)],
+    print: [menuItem("file-print", t("out.print"), keyFor.page(KEYS.print), printSheet)],
   };
 }
 
 export const exporting: Feature = {
   name: "export",
-  commands: { print: printSheet },
+  keys: KEYS,
+  words: {
+    "file-download-kri": "search.binary",
+    "file-download-kra": "search.listing",
+    "file-export-svg": "search.picture",
+    "file-export-png": "search.picture",
+  },
   useMenu,
   sheets: { pdf: PdfSheet },
   start: preparePrinting,

@@ -9,6 +9,7 @@ import { Icon } from "../../theme";
 import { Card } from "./Card";
 import { ALL, byLevel, fitting, robotsOf, topicsOf, type Wish } from "./filter";
 import { Button } from "../../ui/Button";
+import { Checkbox } from "../../ui/Checkbox";
 import { nextCard } from "../../ui/grid";
 import { playsAlways, usePlays } from "./plays";
 
@@ -105,15 +106,9 @@ export function Gallery({ examples, open }: GalleryProps) {
             </option>
           ))}
         </select>
-        <label className="gallery-plays row">
-          <input
-            type="checkbox"
-            data-testid="gallery-plays"
-            checked={plays}
-            onChange={(event) => playsAlways(event.target.checked)}
-          />
+        <Checkbox className="gallery-plays" testId="gallery-plays" checked={plays} set={playsAlways}>
           {t("gallery.move")}
-        </label>
+        </Checkbox>
       </div>
       <div className="gallery-chips row wrap" role="group" aria-label={t("gallery.level")}>
         <Chip

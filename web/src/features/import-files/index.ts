@@ -11,6 +11,7 @@ function take(act: (loaded: typeof taking) => unknown): void {
 
 export const importFiles: Feature = {
   name: "import-files",
+  words: { "file-parts": "search.import" },
   useMenu: () => ({
     add: [menuItem("file-parts", t("parts.add-file"), null, () => take(({ chooseParts }) => chooseParts()))],
   }),

@@ -13,6 +13,7 @@ import { wordsOf } from "../../model/words";
 import type { Drawing } from "../../session/drawing";
 import { Icon } from "../../theme";
 import { FieldRow } from "../../components/fields/FieldRow";
+import { Row } from "../../ui/Row";
 
 /** Runs a command and leaves the selection where it is. */
 function runHere(command: Command | null): void {
@@ -112,9 +113,9 @@ function SlotRow({ drawing, owner, plug, label, children }: SlotRowProps) {
   };
   return (
     <>
-      <label className="inspector-row row">
-        <span className="inspector-label rigid">{label}</span>
+      <Row label={label} className="inspector-row" labelClass="inspector-label rigid">
         <select
+          className="field"
           data-inspector-field=""
           data-testid={`choose-${owner.vertex.id}.${plug.name}`}
           value={filler?.shape.element ?? ""}
@@ -136,7 +137,7 @@ function SlotRow({ drawing, owner, plug, label, children }: SlotRowProps) {
             <option value={filler.shape.element}>{filler.shape.element}</option>
           ) : null}
         </select>
-      </label>
+      </Row>
       {children}
     </>
   );

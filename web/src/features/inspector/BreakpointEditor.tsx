@@ -12,6 +12,8 @@ import type { Breakpoint } from "../../model/types";
 import { instructionOf } from "../../session/breakpoints";
 import { type Drawing, useDrawing } from "../../session/drawing";
 import { keyFor } from "../../session/key-table";
+import { Checkbox } from "../../ui/Checkbox";
+import { Row } from "../../ui/Row";
 
 const MOST_HITS = 1_000_000;
 
@@ -84,12 +86,11 @@ function When({ breakpoint, put }: Part) {
     if (text.trim() !== when) put({ ...breakpoint, when: text.trim() });
   };
   return (
-    <label className="breakpoint-row row">
-      <span className="breakpoint-name row">{t("debug.when")}</span>
+    <Row label={t("debug.when")} className="breakpoint-row" labelClass="breakpoint-name row">
       <input
         type="text"
         dir="ltr"
-        className="breakpoint-when"
+        className="field breakpoint-when"
         data-testid="breakpoint-when"
         placeholder="Count.GreaterThan(3)"
         maxLength={1000}
@@ -102,17 +103,16 @@ function When({ breakpoint, put }: Part) {
           else if (event.key === "Escape") setText(when);
         }}
       />
-    </label>
+    </Row>
   );
 }
 
 function Hits({ breakpoint, put }: Part) {
   const { hits = 1 } = breakpoint;
   return (
-    <label className="breakpoint-row row">
-      <span className="breakpoint-name row">{t("debug.hits")}</span>
+    <Row label={t("debug.hits")} className="breakpoint-row" labelClass="breakpoint-name row">
       <NumberInput
-        className="breakpoint-hits"
+        className="field breakpoint-hits"
         testId="breakpoint-hits"
         min={1}
         max={MOST_HITS}
@@ -120,7 +120,7 @@ function Hits({ breakpoint, put }: Part) {
         value={hits}
         keep={(wanted) => put({ ...breakpoint, hits: wanted })}
       />
-    </label>
+    </Row>
   );
 }
 
@@ -141,15 +141,14 @@ function Who({ breakpoint, put }: Part) {
         <legend className="breakpoint-name row">{t("debug.who")}</legend>
         <span className="breakpoint-agents wrap">
           {names.map((name) => (
-            <label key={name}>
-              <input
-                type="checkbox"
-                data-testid={`breakpoint-agent-${name}`}
-                checked={watched.includes(name)}
-                onChange={() => toggle(name)}
-              />
+            <Checkbox
+              key={name}
+              testId={`breakpoint-agent-${name}`}
+              checked={watched.includes(name)}
+              set={() => toggle(name)}
+            >
               {name}
-            </label>
+            </Checkbox>
           ))}
         </span>
       </fieldset>

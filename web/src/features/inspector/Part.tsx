@@ -64,6 +64,7 @@ function NoteField({ vertex }: { vertex: Vertex }): ReactNode {
     <label className="inspector-note">
       <span>{t("inspector.note")}</span>
       <textarea
+        className="field"
         rows={1}
         dir="auto"
         placeholder={t("inspector.note-hint")}

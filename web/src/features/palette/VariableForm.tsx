@@ -10,6 +10,8 @@ import { text } from "../../model/texts";
 import { closeForm, keepVariable, ownVariable } from "../../session/variables";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
+import { Checkbox } from "../../ui/Checkbox";
+import { Field } from "../../ui/Field";
 
 const USUAL = { type: "integer", min: "0", max: "100", initial: "0", shared: false } as const;
 
@@ -72,8 +74,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
   };
   const title = was === "" ? t("variable.new") : t("variable.change", { name: was });
   const number = (part: "min" | "max" | "initial", words: string) => (
-    <label>
-      <span className="field-label muted small-text rigid">{words}</span>
+    <Field label={words}>
       <input
         className="field"
         inputMode="numeric"
@@ -82,7 +83,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
         value={typed[part]}
         onChange={(event) => change({ [part]: event.target.value })}
       />
-    </label>
+    </Field>
   );
 
   return (
@@ -103,8 +104,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
     >
       <h2 id={`${id}-title`}>{title}</h2>
       <p>{t("variable.of", { robot: text(label ?? {}, robot) })}</p>
-      <label>
-        <span className="field-label muted small-text rigid">{t("variable.name")}</span>
+      <Field label={t("variable.name")}>
         <input
           className="field"
           ref={first}
@@ -117,9 +117,8 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
           value={typed.name}
           onChange={(event) => change({ name: event.target.value })}
         />
-      </label>
-      <label>
-        <span className="field-label muted small-text rigid">{t("variable.type")}</span>
+      </Field>
+      <Field label={t("variable.type")}>
         <select
           className="field"
           data-testid="variable-type"
@@ -129,7 +128,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
           <option value="integer">{t("variable.integer")}</option>
           <option value="boolean">{t("variable.boolean")}</option>
         </select>
-      </label>
+      </Field>
       <div className="variable-numbers">
         {isNumber ? (
           <>
@@ -138,8 +137,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
             {number("initial", t("variable.initial"))}
           </>
         ) : (
-          <label>
-            <span className="field-label muted small-text rigid">{t("variable.initial")}</span>
+          <Field label={t("variable.initial")}>
             <select
               className="field"
               data-testid="variable-initial"
@@ -149,18 +147,17 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
               <option value="0">{t("variable.no")}</option>
               <option value="1">{t("variable.yes")}</option>
             </select>
-          </label>
+          </Field>
         )}
       </div>
-      <label className="variable-shared row">
-        <input
-          type="checkbox"
-          data-testid="variable-shared"
-          checked={typed.shared}
-          onChange={(event) => change({ shared: event.target.checked })}
-        />
+      <Checkbox
+        className="variable-shared"
+        testId="variable-shared"
+        checked={typed.shared}
+        set={(shared) => change({ shared })}
+      >
         {t("variable.shared")}
-      </label>
+      </Checkbox>
       <p className="variable-why small-text" id={`${id}-why`} role="alert" data-testid="variable-why">
         {why === "" ? null : (
           <>

@@ -8,6 +8,7 @@ import { Icon } from "../../theme";
 import { Said } from "../../i18n/Said";
 import { grouped } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
+import { Row } from "../../ui/Row";
 import {
   beginBench,
   cancelSending,
@@ -162,9 +163,9 @@ function Program({ address, disabled }: { address: string; disabled: boolean }) 
   const state = useBoards();
   const names = programs.map(({ name }) => name);
   return (
-    <label className="robot-program row muted">
-      <span>{t("boards.program")}</span>
+    <Row label={t("boards.program")} className="robot-program muted">
       <select
+        className="field"
         data-testid="robot-program"
         disabled={disabled}
         value={programFor(state, address, names, open)}
@@ -174,7 +175,7 @@ function Program({ address, disabled }: { address: string; disabled: boolean }) 
           <option key={name}>{name}</option>
         ))}
       </select>
-    </label>
+    </Row>
   );
 }
 

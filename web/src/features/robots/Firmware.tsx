@@ -3,7 +3,7 @@
  *
  * Nothing is fetched from the network: the page of the maker is named, and a file that the reader has is copied.
  */
-import { useEffect, useId, useRef, useState } from "react";
+import { useEffect, useRef, useState } from "react";
 
 import { ApiError } from "../../api/client";
 import { firmwareApi } from "../../api/firmware";
@@ -11,6 +11,7 @@ import type { Drive, KitEntry } from "../../api/generated";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { Icon } from "../../theme";
+import { Row } from "../../ui/Row";
 import { useBoards } from "./boards";
 import { Act, TroubleBox } from "./parts";
 import { isOlder } from "./versions";
@@ -65,7 +66,6 @@ function Flashing() {
   const [chosen, setChosen] = useState("");
   const [file, setFile] = useState<File | null>(null);
   const [busy, setBusy] = useState(false);
-  const ids = [useId(), useId()] as const;
 
   const fail = (cause: unknown) => setWrong(cause instanceof ApiError ? cause : { message: String(cause), help: "" });
   const look = () => {
@@ -113,10 +113,9 @@ function Flashing() {
         </p>
       ) : (
         <>
-          <label className="robot-program row muted" htmlFor={ids[0]}>
-            <span>{t("firmware.drive")}</span>
+          <Row label={t("firmware.drive")} className="robot-program muted">
             <select
-              id={ids[0]}
+              className="field"
               data-testid="firmware-drive"
               disabled={busy}
               value={drive?.folder ?? ""}
@@ -128,11 +127,9 @@ function Flashing() {
                 </option>
               ))}
             </select>
-          </label>
-          <label className="robot-program row muted" htmlFor={ids[1]}>
-            <span>{t("firmware.file")}</span>
+          </Row>
+          <Row label={t("firmware.file")} className="robot-program muted">
             <input
-              id={ids[1]}
               key={done}
               type="file"
               accept=".uf2"
@@ -140,7 +137,7 @@ function Flashing() {
               disabled={busy}
               onChange={(event) => setFile(event.target.files?.[0] ?? null)}
             />
-          </label>
+          </Row>
         </>
       )}
       {wrong === null ? null : <TroubleBox said={wrong} testId="firmware-trouble" />}

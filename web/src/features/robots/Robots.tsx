@@ -69,6 +69,7 @@ function Network() {
     <form className="robots-network" onSubmit={add} noValidate>
       <label htmlFor="robots-address">{t("boards.network")}</label>
       <input
+        className="field"
         id="robots-address"
         data-testid="robots-address"
         dir="ltr"

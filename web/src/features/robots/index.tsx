@@ -3,8 +3,8 @@ import type { ReactNode } from "react";
 
 import { t } from "../../i18n/words";
 import { complain } from "../../session/document";
-import { type Feature, stopEverything } from "../../session/features";
-import { keyFor } from "../../session/key-table";
+import { type Feature, STOP_KEY, stopEverything } from "../../session/features";
+import { keyFor, type PageKey } from "../../session/key-table";
 import type { MenuEntries } from "../../session/menu-table";
 import { Icon } from "../../theme";
 import { later } from "../../ui/later";
@@ -25,6 +25,17 @@ function RobotsOrArena({ children }: { children: ReactNode }) {
   return useRobotsPanel((state) => state.open) ? <Robots /> : children;
 }
 
+const KEYS = {
+  runOnRobot: { chords: ["Ctrl+F5"], says: "boards.run", also: "search.deploy", typing: true, run: runOnRobots },
+  robots: {
+    chords: ["Alt+R"],
+    says: "boards.panel",
+    also: "search.connect",
+    typing: true,
+    run: () => showRobots(!useRobotsPanel.getState().open),
+  },
+} satisfies Record<string, PageKey>;
+
 function RunOnRobots() {
   return (
     <>
@@ -35,7 +46,7 @@ function RunOnRobots() {
         data-testid="run-on-robot"
         data-fold={5}
         aria-label={t("boards.run")}
-        title={`${t("boards.run")} (${keyFor.page("runOnRobot")})`}
+        title={`${t("boards.run")} (${keyFor.page(KEYS.runOnRobot)})`}
         onClick={runOnRobots}
       >
         <Icon name="upload" size={18} />
@@ -53,14 +64,14 @@ function useMenu(): MenuEntries {
         kind: "check",
         id: "robots-panel",
         label: t("boards.panel"),
-        keys: keyFor.page("robots"),
+        keys: keyFor.page(KEYS.robots),
         checked: open,
         run: () => showRobots(!open),
       },
     ],
     robots: [
-      menuItem("robots-run", t("boards.run"), keyFor.page("runOnRobot"), runOnRobots),
-      menuItem("robots-stop", t("boards.stop-all"), keyFor.page("stop"), stopEverything, running === 0),
+      menuItem("robots-run", t("boards.run"), keyFor.page(KEYS.runOnRobot), runOnRobots),
+      menuItem("robots-stop", t("boards.stop-all"), keyFor.page(STOP_KEY), stopEverything, running === 0),
     ],
   };
 }
@@ -69,7 +80,7 @@ export const robots: Feature = {
   name: "robots",
   panels: { arena: RobotsOrArena },
   slots: { tools: RunOnRobots },
-  commands: { runOnRobot: runOnRobots, robots: () => showRobots(!useRobotsPanel.getState().open) },
+  keys: KEYS,
   useMenu,
   stop: () => useRobotsPanel.getState().stopAll?.(),
 };

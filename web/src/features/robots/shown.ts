@@ -5,6 +5,8 @@
  * A robot is shown while it has a program of the mission that is open, from the moment it runs; those with the same state of
  * the programs are one run. Only those that this page holds: it knows what they were given.
  */
+import { create } from "zustand";
+
 import { useStudio } from "../../model/studio";
 import { isLive, type RunAgent, useRun } from "../../session/run";
 import { type BoardsState, type SentProgram, isMine, useBoards } from "./boards";
@@ -41,11 +43,18 @@ export function runOf(state: BoardsState, path: string): { given: SentProgram; b
   return { given, boards: shown.filter(alike) };
 }
 
-/** Robots of the run that was asked for last: addresses, and what each has. */
-let asked: [address: string, installed: string][] = [];
+interface ShownRun {
+  /** Robots of the run that was asked for last: addresses, and what each has. */
+  asked: readonly (readonly [address: string, installed: string])[];
+  /** Whether the page looks after robots that run. */
+  kept: boolean;
+}
+
+const useShown = create<ShownRun>(() => ({ asked: [], kept: false }));
 
 export function agentAt(address: string): RunAgent | undefined {
   const { real, watching, agents } = useRun.getState();
+  const { asked } = useShown.getState();
   return real && !watching ? agents[asked.findIndex(([one]) => one === address)] : undefined;
 }
 
@@ -54,6 +63,7 @@ function show(): void {
   const { path } = useStudio.getState().file;
   const { status, real, watching, error, reset, robots } = useRun.getState();
   const ours = real && !watching;
+  const { asked } = useShown.getState();
   if (ours && !shownBoards(state, path).some(({ address }) => asked.some(([one]) => one === address))) {
     reset();
     return;
@@ -65,16 +75,14 @@ function show(): void {
   const all = boards.filter(isRunning).every(isAsked);
   // A run that the server refused is not asked for again and again.
   if (ours || error !== null ? all : isLive(status)) return;
-  asked = boards.map(({ address, installed }) => [address, installed]);
-  robots({ mission: given.mission, path, holder: state.you, addresses: asked.map(([address]) => address) });
+  useShown.setState({ asked: boards.map(({ address, installed }) => [address, installed]) });
+  robots({ mission: given.mission, path, holder: state.you, addresses: boards.map(({ address }) => address) });
 }
-
-let kept = false;
 
 /** From now on the page shows robots that run; once is enough. */
 export function keepShown(): void {
-  if (kept) return;
-  kept = true;
+  if (useShown.getState().kept) return;
+  useShown.setState({ kept: true });
   useBoards.subscribe(({ boards, team }, before) => {
     if (boards === before.boards && team === before.team) return;
     const running = Object.values(boards).filter(isRunning).length + Number(team?.phase === "running");

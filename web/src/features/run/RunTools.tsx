@@ -2,12 +2,13 @@
 import { t } from "../../i18n/words";
 import { pause, run, stepVertex } from "../../session/actions";
 import { useDocument } from "../../session/document";
-import { stopEverything } from "../../session/features";
+import { STOP_KEY, stopEverything } from "../../session/features";
 import { keyFor } from "../../session/key-table";
 import { can, isLive, useRun } from "../../session/run";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
 import { SpeedControl } from "./SpeedControl";
+import { KEYS } from "./keys";
 
 export function RunTools() {
   const status = useRun((state) => state.status);
@@ -24,7 +25,7 @@ export function RunTools() {
         className="run-button bold rigid"
         data-testid="run-button"
         disabled={(live && !paused) || choosing}
-        title={`${paused ? t("run.resume") : t("run.run")} (${keyFor.page("run")})`}
+        title={`${paused ? t("run.resume") : t("run.run")} (${keyFor.page(KEYS.run)})`}
         onClick={run}
       >
         <span className="run-face" data-other={t(paused ? "run.run" : "run.resume")}>
@@ -37,7 +38,7 @@ export function RunTools() {
       <Tool
         icon="pause"
         label={t("run.pause")}
-        keys={keyFor.page("pause")}
+        keys={keyFor.page(KEYS.pause)}
         disabled={(status !== "running" || watching) && !paused}
         aria-pressed={paused}
         testId="pause-button"
@@ -47,7 +48,7 @@ export function RunTools() {
       <Tool
         icon="step-back"
         label={t("run.step-back")}
-        keys={keyFor.page("stepBack")}
+        keys={keyFor.page(KEYS.stepBack)}
         disabled={!goesBack}
         testId="step-back-button"
         data-fold={3}
@@ -56,7 +57,7 @@ export function RunTools() {
       <Tool
         icon="step-forward"
         label={t("run.step")}
-        keys={keyFor.page("step")}
+        keys={keyFor.page(KEYS.step)}
         disabled={!paused}
         testId="step-button"
         data-fold={4}
@@ -65,7 +66,7 @@ export function RunTools() {
       <Tool
         icon="redo-dot"
         label={t("run.step-vertex")}
-        keys={keyFor.page("stepVertex")}
+        keys={keyFor.page(KEYS.stepVertex)}
         disabled={!paused}
         testId="step-vertex-button"
         data-fold={2}
@@ -74,7 +75,7 @@ export function RunTools() {
       <Tool
         icon="square"
         label={t(watching ? "watching.leave" : "run.stop")}
-        keys={keyFor.page("stop")}
+        keys={keyFor.page(STOP_KEY)}
         disabled={!live}
         testId="stop-button"
         data-fold={6}

@@ -5,7 +5,7 @@ import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { changeSpeed, pause, run as begin, stepVertex } from "../../session/actions";
 import { complain } from "../../session/document";
-import { type Feature, stopEverything } from "../../session/features";
+import { type Feature, STOP_KEY, stopEverything } from "../../session/features";
 import { keyFor } from "../../session/key-table";
 import type { MenuEntries } from "../../session/menu-table";
 import { saveRun, useOpenRecording } from "../../session/recordings";
@@ -13,6 +13,7 @@ import { can, isLive, type RunState, useRun } from "../../session/run";
 import { later } from "../../ui/later";
 import { menuItem } from "../../ui/menu-model";
 import { EventStrip } from "./EventStrip";
+import { KEYS } from "./keys";
 import { Running } from "./Running";
 import { RunStatus } from "./RunStatus";
 import { RunTools } from "./RunTools";
@@ -55,23 +56,23 @@ function useMenu(): MenuEntries {
   const key = keyFor.page;
   return {
     run: [
-      menuItem("run-run", paused ? t("run.resume") : t("run.run"), key("run"), begin, live && !paused),
-      menuItem("run-pause", t("run.pause"), key("pause"), pause, status !== "running" || watching),
-      menuItem("run-step", t("run.step"), key("step"), () => step(), !paused),
-      menuItem("run-step-vertex", t("run.step-vertex"), key("stepVertex"), () => stepVertex(false), !paused),
-      menuItem("run-step-back", t("run.step-back"), key("stepBack"), () => step("tick", true), !goesBack),
+      menuItem("run-run", paused ? t("run.resume") : t("run.run"), key(KEYS.run), begin, live && !paused),
+      menuItem("run-pause", t("run.pause"), key(KEYS.pause), pause, status !== "running" || watching),
+      menuItem("run-step", t("run.step"), key(KEYS.step), () => step(), !paused),
+      menuItem("run-step-vertex", t("run.step-vertex"), key(KEYS.stepVertex), () => stepVertex(false), !paused),
+      menuItem("run-step-back", t("run.step-back"), key(KEYS.stepBack), () => step("tick", true), !goesBack),
       menuItem(
         "run-step-vertex-back",
         t("run.step-vertex-back"),
-        key("stepVertexBack"),
+        key(KEYS.stepVertexBack),
         () => stepVertex(true),
         !goesBack,
       ),
-      menuItem("run-stop", t(watching ? "watching.leave" : "run.stop"), key("stop"), stopEverything, !live),
+      menuItem("run-stop", t(watching ? "watching.leave" : "run.stop"), key(STOP_KEY), stopEverything, !live),
       menuItem("run-save", t("recording.save"), null, () => saveRun().catch(complain), name === ""),
       { kind: "heading", id: "run-speed", label: t("run.speed") },
-      menuItem("run-slower", t("run.slower"), key("slower"), () => changeSpeed(-1)),
-      menuItem("run-faster", t("run.faster"), key("faster"), () => changeSpeed(1)),
+      menuItem("run-slower", t("run.slower"), key(KEYS.slower), () => changeSpeed(-1)),
+      menuItem("run-faster", t("run.faster"), key(KEYS.faster), () => changeSpeed(1)),
       { kind: "radio", id: "run-real-time", label: t("run.real-time"), checked: speed === 1, run: () => setSpeed(1) },
       { kind: "radio", id: "run-as-fast", label: t("run.as-fast"), checked: speed === 0, run: () => setSpeed(0) },
     ],
@@ -81,16 +82,9 @@ function useMenu(): MenuEntries {
 export const run: Feature = {
   name: "run",
   slots: { banner: Bars, tools: RunTools, status: RunStatus, "tabs-end": RunningInView, bottom: EventStrip },
-  commands: {
-    run: begin,
-    pause,
-    step: () => useRun.getState().step(),
-    stepBack: () => useRun.getState().step("tick", true),
-    stepVertex: () => stepVertex(false),
-    stepVertexBack: () => stepVertex(true),
-    slower: () => changeSpeed(-1),
-    faster: () => changeSpeed(1),
-  },
+  keys: KEYS,
+  words: { "run-save": "search.trace" },
+  elsewhere: [{ name: "elsewhere.timeline-name", says: "elsewhere.timeline", also: "search.timeline" }],
   useMenu,
   stop: () => useRun.getState().stop(),
 };

@@ -8,6 +8,7 @@ import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { closeDock } from "../../session/dock";
 import { Button } from "../../ui/Button";
+import { Row } from "../../ui/Row";
 import { Tool } from "../../ui/Tool";
 import { Select } from "../../ui/Select";
 import { SweepMap } from "./SweepMap";
@@ -66,8 +67,7 @@ function Asking() {
           if (!wrong) begin(readWhole(moments) ?? 0, seconds);
         }}
       >
-        <label>
-          <span>{t("sweep.moments")}</span>
+        <Row label={t("sweep.moments")}>
           <Select
             label={t("sweep.moments")}
             testId="sweep-moments"
@@ -75,9 +75,8 @@ function Asking() {
             options={MOMENTS.includes(moments) ? MOMENTS : [moments, ...MOMENTS]}
             keep={setMoments}
           />
-        </label>
-        <label>
-          <span>{t("sweep.seconds")}</span>
+        </Row>
+        <Row label={t("sweep.seconds")}>
           <input
             className="field"
             type="text"
@@ -89,7 +88,7 @@ function Asking() {
             value={typed}
             onChange={(event) => setTyped(event.target.value)}
           />
-        </label>
+        </Row>
         <Button icon="play" type="submit" testId="sweep-begin" disabled={wrong || agents === 0}>
           {t("sweep.begin", { count: agents * (readWhole(moments) ?? 0) })}
         </Button>

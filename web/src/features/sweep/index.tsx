@@ -11,6 +11,7 @@ const SweepPanel = later(() => import("./SweepPanel").then((chunk) => chunk.Swee
 export const sweep: Feature = {
   name: "sweep",
   docks: { "sweep-panel": SweepPanel },
+  words: { "run-sweep": "search.faults" },
   useMenu: () => ({
     sweep: [menuItem("run-sweep", t("run.sweep"), null, () => openDock("sweep-panel"))],
   }),

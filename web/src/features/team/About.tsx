@@ -2,6 +2,7 @@
 import { languageInUse, t } from "../../i18n/words";
 import { changeTitle } from "../../model/commands/changeTitle";
 import { useStudio } from "../../model/studio";
+import { Field } from "../../ui/Field";
 
 export function About() {
   const label = useStudio((studio) => studio.mission.label);
@@ -15,31 +16,27 @@ export function About() {
   return (
     <section className="team-part surface" aria-labelledby="team-about">
       <h2 id="team-about">{t("team.about")}</h2>
-      <label className="field-label muted small-text rigid" htmlFor="team-title">
-        {t("team.title")}
-      </label>
-      <input
-        id="team-title"
-        className="field"
-        data-testid="team-title"
-        dir="auto"
-        value={label?.[language] ?? ""}
-        placeholder={label?.[""] ?? ""}
-        onChange={(event) => change("label", event.target.value)}
-      />
-      <label className="field-label muted small-text rigid" htmlFor="team-help">
-        {t("team.help")}
-      </label>
-      <textarea
-        id="team-help"
-        className="field"
-        data-testid="team-help"
-        dir="auto"
-        rows={2}
-        value={help?.[language] ?? ""}
-        placeholder={help?.[""] ?? ""}
-        onChange={(event) => change("help", event.target.value)}
-      />
+      <Field label={t("team.title")}>
+        <input
+          className="field"
+          data-testid="team-title"
+          dir="auto"
+          value={label?.[language] ?? ""}
+          placeholder={label?.[""] ?? ""}
+          onChange={(event) => change("label", event.target.value)}
+        />
+      </Field>
+      <Field label={t("team.help")}>
+        <textarea
+          className="field"
+          data-testid="team-help"
+          dir="auto"
+          rows={2}
+          value={help?.[language] ?? ""}
+          placeholder={help?.[""] ?? ""}
+          onChange={(event) => change("help", event.target.value)}
+        />
+      </Field>
     </section>
   );
 }

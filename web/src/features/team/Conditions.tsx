@@ -6,6 +6,8 @@ import { t } from "../../i18n/words";
 import { setBreakdown, setRadio } from "../../model/commands/changeTrial";
 import { useStudio } from "../../model/studio";
 import type { Breakdown, Radio } from "../../model/types";
+import { Checkbox } from "../../ui/Checkbox";
+import { Row } from "../../ui/Row";
 import { Select } from "../../ui/Select";
 
 const MOST_RANGE_MM = 1_000_000;
@@ -19,11 +21,10 @@ type AmountProps = ComponentProps<typeof NumberInput> & { label: string; unit: s
 /** A number with its unit. */
 function Amount({ label, unit, ...number }: AmountProps) {
   return (
-    <label className="team-amount row">
-      <span>{label}</span>
+    <Row label={label} className="team-amount">
       <NumberInput {...number} />
       <span>{unit}</span>
-    </label>
+    </Row>
   );
 }
 
@@ -49,16 +50,14 @@ export function Conditions() {
   return (
     <section className="team-part surface" aria-labelledby="team-conditions" data-testid="conditions">
       <h2 id="team-conditions">{t("team.conditions")}</h2>
-      <label className="row">
-        <input
-          type="checkbox"
-          data-testid="radio-on"
-          aria-describedby="team-radio-help"
-          checked={radio !== null}
-          onChange={(event) => putRadio(event.target.checked ? { range_mm: null, delay_ms: 0, loss: 0 } : null)}
-        />
+      <Checkbox
+        testId="radio-on"
+        aria-describedby="team-radio-help"
+        checked={radio !== null}
+        set={(on) => putRadio(on ? { range_mm: null, delay_ms: 0, loss: 0 } : null)}
+      >
         {t("team.radio")}
-      </label>
+      </Checkbox>
       <p className="team-note muted" id="team-radio-help">
         {t(radio === null ? "team.radio-off" : "team.radio-help")}
       </p>
@@ -97,8 +96,7 @@ export function Conditions() {
         </div>
       )}
       <div className="team-amounts wrap">
-        <label className="team-amount row">
-          <span>{t("team.breakdown")}</span>
+        <Row label={t("team.breakdown")} className="team-amount">
           <Select
             label={t("team.breakdown")}
             testId="breakdown-rule"
@@ -106,7 +104,7 @@ export function Conditions() {
             options={RULES.map((rule) => [rule, t(`team.breakdown-${rule}`)])}
             keep={(wanted) => putBreakdown({ ...breakdown, rule: RULES.find((rule) => rule === wanted) ?? "stay" })}
           />
-        </label>
+        </Row>
         {breakdown.rule === "tow" ? (
           <Amount
             label={t("team.breakdown-after")}

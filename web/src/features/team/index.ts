@@ -2,7 +2,7 @@
 import { t } from "../../i18n/words";
 import { complain } from "../../session/document";
 import type { Feature } from "../../session/features";
-import { keyFor } from "../../session/key-table";
+import { keyFor, type PageKey } from "../../session/key-table";
 import { MEMBERS } from "../../session/members";
 import { openTeam } from "../../session/team-view";
 import { later } from "../../ui/later";
@@ -13,14 +13,18 @@ import { teamTab } from "./TeamTab";
 
 const Members = later(() => import("./Members").then((chunk) => chunk.Members), complain);
 
+const KEYS = {
+  team: { chords: ["Alt+T"], says: "team.open", also: "search.team", typing: true, run: () => openTeam() },
+} satisfies Record<string, PageKey>;
+
 export const team: Feature = {
   name: "team",
   tab: teamTab,
   panels: { palette: TeamSide },
   docks: { [MEMBERS]: Members },
   slots: { bottom: MembersButton },
-  commands: { team: () => openTeam() },
+  keys: KEYS,
   useMenu: () => ({
-    team: [menuItem("program-team", t("team.open"), keyFor.page("team"), () => openTeam())],
+    team: [menuItem("program-team", t("team.open"), keyFor.page(KEYS.team), () => openTeam())],
   }),
 };

@@ -4,6 +4,8 @@
  * A tutorial is on as long as its mission is open: opening another mission leaves it. After a reload the tutorial of the
  * mission that comes back is there again.
  */
+import { create } from "zustand";
+
 import { api } from "../../api/client";
 import type { Tutorial } from "../../api/generated";
 import { tutorialApi } from "../../api/tutorials";
@@ -15,7 +17,13 @@ import { begun, openTutorial, type Progress, rememberedProgress } from "./progre
 import { enter, leave, movedTo, setTutorials, useTutorial } from "./state";
 
 /** What is to be entered as soon as its mission is open; `anew`: without the work that was left on it. */
-let waiting: { tutorial: Tutorial; progress: Progress; anew: boolean } | null = null;
+interface Entry {
+  tutorial: Tutorial;
+  progress: Progress;
+  anew: boolean;
+}
+
+const useEntry = create<{ waiting: Entry | null }>(() => ({ waiting: null }));
 
 /** Asks which tutorials there are; a folder may have got another one. */
 export async function lookForTutorials(): Promise<void> {
@@ -59,7 +67,7 @@ async function stillThere(path: string, start: string): Promise<string> {
 
 function wait(tutorial: Tutorial, progress: Progress, anew: boolean): void {
   show(null);
-  waiting = { tutorial, progress, anew };
+  useEntry.setState({ waiting: { tutorial, progress, anew } });
   const { file, dirty } = useStudio.getState();
   // The same mission is opened again only to begin anew.
   if (file.path === progress.path && (!anew || !dirty)) arrived();
@@ -67,9 +75,10 @@ function wait(tutorial: Tutorial, progress: Progress, anew: boolean): void {
 }
 
 function arrived(): void {
+  const { waiting } = useEntry.getState();
   if (waiting === null) return;
   const { tutorial, progress, anew } = waiting;
-  waiting = null;
+  useEntry.setState({ waiting: null });
   enter(tutorial, progress);
   // Work that was left on it came back with it.
   if (anew && useStudio.getState().dirty) loadFromDisk();
@@ -77,11 +86,11 @@ function arrived(): void {
 
 /** Another mission is open now: enters what waits for it, or leaves. */
 function opened(path: string): void {
-  if (waiting !== null && waiting.progress.path === path) {
+  if (useEntry.getState().waiting?.progress.path === path) {
     arrived();
     return;
   }
-  waiting = null;
+  useEntry.setState({ waiting: null });
   const { tutorial, progress } = useTutorial.getState();
   if (tutorial !== null && progress.path !== path) leave();
 }

@@ -4,6 +4,7 @@ import type { Corner } from "../../model/types";
 import { withClosed, withPoints } from "../../model/world/roads";
 import { LARGEST_MM, type Part, tidy } from "../../model/world/thing";
 import { withPart } from "../../model/world/things";
+import { Checkbox } from "../../ui/Checkbox";
 import { Tool } from "../../ui/Tool";
 import { NumberField } from "./NumberField";
 import { type PartProps, set } from "./part-fields";
@@ -74,20 +75,17 @@ export function Corners({ world, thing, part }: PartProps<Part<"line"> | Part<"f
 
 export function Closed({ world, thing, part }: PartProps<Part<"line"> | Part<"road">>) {
   return (
-    <label className="row">
-      <input
-        type="checkbox"
-        data-testid="world-closed"
-        checked={part.closed}
-        disabled={!part.closed && part.points.length < 3}
-        onChange={(event) => {
-          const closed = event.target.checked;
-          const after =
-            thing.kind === "road" ? withClosed(world, thing.at, closed) : withPart(world, thing, { ...part, closed });
-          set(world, thing, after);
-        }}
-      />
+    <Checkbox
+      testId="world-closed"
+      checked={part.closed}
+      disabled={!part.closed && part.points.length < 3}
+      set={(closed) => {
+        const after =
+          thing.kind === "road" ? withClosed(world, thing.at, closed) : withPart(world, thing, { ...part, closed });
+        set(world, thing, after);
+      }}
+    >
       {t("world.closed")}
-    </label>
+    </Checkbox>
   );
 }

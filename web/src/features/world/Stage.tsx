@@ -19,12 +19,13 @@ import { drawNew, type Spot } from "../../model/world/make";
 import { anchorOf, moved } from "../../model/world/moving";
 import { KIND_ICONS, kindName, nameOf } from "../../model/world/names";
 import { type Kind, sameThing, type Thing, thingsOf } from "../../model/world/thing";
-import { keyIn, WORLD_KEYS } from "../../session/key-table";
+import { keyIn } from "../../session/key-table";
 import { called, change, duplicateChosen, nudge, put, removeChosen } from "../../session/world-edits";
 import { choose, chosenIn, putDown, setDraft, useWorld } from "../../session/world-view";
 import { Icon, useTheme } from "../../theme";
 import { watchPinch } from "../../ui/pinch";
 import { Overlay } from "./Overlay";
+import { WORLD_KEYS } from "./keys";
 
 const MARGIN_PX = 40;
 const REACH_PX = 8;

@@ -1,5 +1,6 @@
 /** Makes the arena large and the program small, and back: at once for the layout, shown as one short movement. */
 import { flushSync } from "react-dom";
+import { create } from "zustand";
 
 import { useLayout } from "../../../session/layout";
 import { openRoom } from "../../../session/narrow";
@@ -8,7 +9,8 @@ import { useView } from "../../../session/view";
 
 const MOVE_MS = 140;
 
-let goBack: (() => void) | null = null;
+/** Shows the program as it was before. */
+const useWayBack = create<{ goBack: (() => void) | null }>(() => ({ goBack: null }));
 
 export function toggle(): void {
   const large = !useStage.getState().large;
@@ -21,11 +23,8 @@ export function toggle(): void {
     enlargeStage(large);
   });
   const { viewport } = useView.getState();
-  if (large) goBack = viewport?.whole() ?? null;
-  else {
-    goBack?.();
-    goBack = null;
-  }
+  if (!large) useWayBack.getState().goBack?.();
+  useWayBack.setState({ goBack: large ? (viewport?.whole() ?? null) : null });
   move(before);
 }
 

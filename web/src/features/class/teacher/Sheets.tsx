@@ -9,6 +9,7 @@ import { t } from "../../../i18n/words";
 import { text } from "../../../model/texts";
 import { Icon } from "../../../theme";
 import { Button } from "../../../ui/Button";
+import { Field } from "../../../ui/Field";
 import { Sheet } from "../../../ui/Sheet";
 import { act, fail, look, say, useDesk } from "./store";
 
@@ -125,8 +126,7 @@ function Add({ onClose }: SheetProps) {
     <Sheet title={t("teacher.add-title")} testId="sheet-add" onClose={onClose}>
       <form onSubmit={add}>
         <p className="sheet-note muted small-text">{t("teacher.add-help")}</p>
-        <label>
-          <span className="field-label muted small-text rigid">{t("teacher.add-name")}</span>
+        <Field label={t("teacher.add-name")}>
           <input
             className="field"
             value={name}
@@ -136,7 +136,7 @@ function Add({ onClose }: SheetProps) {
             data-testid="add-name"
             onChange={(event) => setName(event.target.value)}
           />
-        </label>
+        </Field>
         <div className="sheet-foot">
           <Button ink type="submit">
             {t("teacher.add")}

@@ -10,6 +10,7 @@ import { useStudio } from "../../../model/studio";
 import { text } from "../../../model/texts";
 import { Icon } from "../../../theme";
 import { Button } from "../../../ui/Button";
+import { Row } from "../../../ui/Row";
 import { Select } from "../../../ui/Select";
 import { Tool } from "../../../ui/Tool";
 import { Cards } from "./Cards";
@@ -101,8 +102,7 @@ function Choice({ field }: { field: RefObject<HTMLInputElement | null> }) {
           </button>
         ))}
       </div>
-      <label className="class-sort row">
-        <span className="class-muted muted small-text">{t("teacher.sort")}</span>
+      <Row label={t("teacher.sort")} className="class-sort" labelClass="class-muted muted small-text">
         <Select
           label={t("teacher.sort")}
           testId="sort"
@@ -110,7 +110,7 @@ function Choice({ field }: { field: RefObject<HTMLInputElement | null> }) {
           options={ORDERS.map((one) => [one, t(`teacher.sort-${one}` satisfies Key)] as const)}
           keep={(one) => sortBy(one as Order)}
         />
-      </label>
+      </Row>
       <label className="class-find row">
         <Icon name="search" size={16} />
         <input

@@ -4,6 +4,7 @@ import { playing } from "../../../model/commands/castAgents";
 import { addGroup, giveFailure, groupsOf, rolesOf } from "../../../model/commands/changeDeclared";
 import { useStudio } from "../../../model/studio";
 import type { TeamGroup } from "../../../model/types";
+import { Checkbox } from "../../../ui/Checkbox";
 import { Chip } from "./Chip";
 import { Card, execute, freeDeclared } from "./parts";
 import { placesSaid } from "./Roles";
@@ -38,16 +39,16 @@ function GroupCard({ group, at }: { group: TeamGroup; at: number }) {
       <fieldset className="card-policy column small-text">
         <legend>{t("roster.failure")}</legend>
         {POLICIES.map((policy) => (
-          <label key={policy}>
-            <input
-              type="radio"
-              name={`failure-${name}`}
-              data-testid={`failure-${name}-${policy}`}
-              checked={failure === policy}
-              onChange={() => execute(giveFailure(useStudio.getState().mission, at, policy))}
-            />
+          <Checkbox
+            key={policy}
+            type="radio"
+            name={`failure-${name}`}
+            testId={`failure-${name}-${policy}`}
+            checked={failure === policy}
+            set={() => execute(giveFailure(useStudio.getState().mission, at, policy))}
+          >
             {t(`roster.${policy}-policy`)}
-          </label>
+          </Checkbox>
         ))}
       </fieldset>
     </Card>
