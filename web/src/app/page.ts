@@ -9,6 +9,7 @@ import { keyFor } from "../session/key-table";
 import { type Panel, useLayout } from "../session/layout";
 import type { MenuEntries } from "../session/menu-table";
 import { save } from "../session/saving";
+import { chooseSimple, tellNeed, useNeed, useSimpleView } from "../session/simple-view";
 import { type ThemeChoice, useTheme } from "../theme";
 import { later } from "../ui/later";
 import { type MenuEntry, menuItem } from "../ui/menu-model";
@@ -104,11 +105,27 @@ function programEntries({ activeProgram, catalogue, mission }: StudioState): Men
   };
 }
 
+/** The switch of the simple view; a mission that shows everything leaves nothing to switch. */
+function useSimpleEntry(): MenuEntry {
+  const needed = useNeed() !== null;
+  const chosen = useSimpleView((view) => view.chosen);
+  return {
+    kind: "check",
+    id: "view-simple",
+    label: t("view.simple"),
+    disabled: needed,
+    checked: chosen && !needed,
+    run: () => chooseSimple(!chosen),
+  };
+}
+
 function useMenu(): MenuEntries {
   const studio = useStudio();
   const choice = useTheme((theme) => theme.choice);
   const folded = useLayout((layout) => layout.folded);
+  const simple = useSimpleEntry();
   return {
+    simple: [simple],
     ...fileEntries(studio),
     ...historyEntries(studio),
     ...programEntries(studio),
@@ -160,6 +177,7 @@ export const page: Feature = {
     shortcuts: () => show("shortcuts"),
   },
   useMenu,
+  start: tellNeed,
   sheets: {
     "save-as": inSheets("SaveAsSheet", true),
     shortcuts: inSheets("ShortcutsSheet", true),

@@ -34,6 +34,7 @@ export const SEARCH_WORDS: Readonly<Record<string, Key>> = {
   "run-save": "search.trace",
   "run-sweep": "search.faults",
   "view-live": "search.live",
+  "view-simple": "search.simple",
   "view-light": "search.theme",
   "view-dark": "search.theme",
   "view-contrast": "search.theme",

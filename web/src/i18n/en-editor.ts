@@ -2,7 +2,7 @@
 export const EDITOR_EN = {
   "graph.label": "Graph of {name}",
   "graph.start": "Start",
-  "graph.stop": "Stop",
+  "graph.stop": "End",
   "graph.done": "done",
   "graph.leave": "out",
   "graph.condition": "condition",
@@ -75,6 +75,7 @@ export const EDITOR_EN = {
   "parts.variables": "Variables",
   "parts.none": "No part is called “{query}”.",
   "parts.elsewhere": "{robot} can do it: {parts}.",
+  "parts.throw-away": "Drop here to throw away",
   "parts.tree": "Parts",
   "parts.tabs": "Kinds of parts",
   "parts.on": "true",

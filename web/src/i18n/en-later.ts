@@ -55,6 +55,7 @@ export const LATER_EN = {
   "exercise.stop": "Stop judging",
   "exercise.judging": "Judging: {done} of {total}",
   "exercise.not-yet": "Press Run to try it, or Judge to have every goal judged.",
+  "exercise.after-one": "After one run; Judge looks at every run.",
   "exercise.after-run": "After the run with seed {seed}; Judge looks at every run.",
   "exercise.changed": "The mission has changed since then.",
   "exercise.judged": { one: "Judged in {count} run.", other: "Judged in {count} runs." },
