@@ -200,6 +200,7 @@ export const LATER_EN = {
   "sweep.none": "not run",
   "sweep.cell": "{agent} fails at {time}: {outcome}",
   "sweep.cell-end": "{agent} fails at {time}: {outcome} at {end}",
+  "sweep.how-tap": "Tap a field to play it.",
   "sweep.how": "Press on a field to play it. Arrows walk, Enter plays.",
   "sweep.play": "Play",
   "sweep.plays": "Plays now:",
