@@ -116,14 +116,12 @@ export function useNeed(): Need | null {
 
 /** Says once, when a mission that shows everything is open first; the returned function ends the watch. */
 export function tellNeed(): () => void {
-  const tell = () => {
+  // An opened mission takes away what was said of the one before: of it is spoken after that.
+  const end = useDocument.subscribe(({ ready, banner }) => {
     const need = findNeed(useStudio.getState().mission);
-    const { ready, banner } = useDocument.getState();
     if (!ready || need === null || banner !== null || !useSimpleView.getState().chosen) return;
     end();
     note(t(`simple.need-${need}`));
-  };
-  const ends = [useDocument.subscribe(tell), useStudio.subscribe(tell)];
-  const end = () => ends.forEach((one) => one());
+  });
   return end;
 }
