@@ -39,7 +39,7 @@ const LiveValue = later(() => import("./LiveValue").then((chunk) => chunk.LiveVa
 export const Vertex = memo(function Vertex({ node }: { node: LayoutNode }) {
   const { vertex: id, face, block, kind, w, h, colour } = node;
   const selected = useStudio((state) => state.selection.includes(id));
-  const takes = (slot: string) => block.shape.plugs.find(({ name }) => name === slot)?.accepts;
+  const takes = (slot: string) => block?.shape.plugs.find(({ name }) => name === slot)?.accepts;
   const threads = useThreadsAt(id, node.mark?.vertex.id ?? null, node.inside?.vertices);
   const aimed = useDrag((state) => state.target?.key === `vertex:${id}`);
   const lifted = useDrag(
