@@ -117,10 +117,10 @@ def drive_a_square(doer: Doer) -> None:
 def turn_at_walls(doer: Doer) -> None:
     doer.begin_nothing()
     doer.add("Forever", "first-place", "fore")
-    doer.add("Wheel.Advance", in_body(doer), "keep")
+    doer.add("Wheel.Advance", in_body(doer), "keep d")
     doer.add("Wait Until", doer.after_selected(), "wait u")
     waiting = doer.studio.page.locator(".vertex.is-selected").get_attribute("data-testid") or ""
-    doer.add("Captor.LessThan", f"slot-{waiting.removeprefix('vertex-')}.condition", "wall")
+    doer.add("Captor.LessThan", f"slot-{waiting.removeprefix('vertex-')}.condition", "near")
     doer.add("Motor.RightBy", f"arc-{waiting.removeprefix('vertex-')}.next", "right")
     doer.run()
     doer.studio.expect_code(

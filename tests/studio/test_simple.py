@@ -123,7 +123,7 @@ def test_graph_and_stage_take_turns_at_200_percent(open_studio: OpenStudio) -> N
 
 
 OUTSIDE = """() => [...document.querySelectorAll(
-    '[role=menu], [role=listbox], dialog[open], [role=dialog], .in-place, .adding')]
+    '[role=menu], [role=listbox], dialog[open], [role=dialog], .in-place, .adding, .find')]
     .filter((one) => one.checkVisibility())
     .map((one) => [one.id || one.className, one.getBoundingClientRect()])
     .filter(([, { left, top, right, bottom }]) => left < -0.5 || top < -0.5 || right > innerWidth + 0.5
@@ -155,7 +155,7 @@ def test_nothing_that_opens_leaves_the_window(open_studio: OpenStudio, width: in
     expect(studio.at("context-menu")).to_be_visible()
     look("a part's menu")
     last.click(position={"x": 6, "y": 6}, force=True)
-    for key, opened in (("/", ".adding"), ("Enter", ".in-place"), ("Control+f", ".find"), ("?", "[role=dialog]")):
+    for key, opened in (("/", ".adding"), ("4", ".in-place"), ("Control+f", ".find"), ("?", "[role=dialog]")):
         page.keyboard.press(key)
         expect(page.locator(opened).first).to_be_visible()
         look(key)

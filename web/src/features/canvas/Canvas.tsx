@@ -14,7 +14,15 @@ import { useStudio } from "../../model/studio";
 import { complain } from "../../session/document";
 import { setResolver, useDrag } from "../../session/drag";
 import { currentDrawing, type Drawing, nodeOf, useDrawing } from "../../session/drawing";
-import { acceptedPlaces, insideOf, REACH, slotOnScreen, type Target, targetInLayout, wrapTarget } from "../../session/targets";
+import {
+  acceptedPlaces,
+  insideOf,
+  REACH,
+  slotOnScreen,
+  type Target,
+  targetInLayout,
+  wrapTarget,
+} from "../../session/targets";
 import { dropArc, useView } from "../../session/view";
 import { later } from "../../ui/later";
 import { ActiveVertices } from "./active";

@@ -52,7 +52,11 @@ export function Code() {
   const wanted = useCodeSide((code) => code.side);
   const isTeam = useStudio((studio) => studio.mission.programs.some((one) => one.robot === TEAM_ROBOT));
   const listed = useShown("listing");
-  const sides: CodeSide[] = ["lll", ...(listed ? (["listing"] as const) : []), ...(isTeam ? (["projection"] as const) : [])];
+  const sides: CodeSide[] = [
+    "lll",
+    ...(listed ? (["listing"] as const) : []),
+    ...(isTeam ? (["projection"] as const) : []),
+  ];
   const side = sides.includes(wanted) ? wanted : "lll";
   const program = useStudio((studio) => studio.activeProgram);
   const found = useStudio((studio) => studio.report?.programs.find((one) => one.name === studio.activeProgram));
