@@ -110,8 +110,8 @@ def drive_a_square(doer: Doer) -> None:
         doer.add("Repetition", "", "re")
     doer.add("Wheel.DriveBy", in_body(doer), "dr")
     doer.add("Motor.LeftBy", doer.after_selected(), "lef")
-    doer.run()
     doer.studio.expect_code("10*(  Wheel.DriveBy(30);  Motor.LeftBy(90);")
+    doer.run()
 
 
 def turn_at_walls(doer: Doer) -> None:
@@ -122,17 +122,17 @@ def turn_at_walls(doer: Doer) -> None:
     waiting = doer.studio.page.locator(".vertex.is-selected").get_attribute("data-testid") or ""
     doer.add("Captor.LessThan", f"slot-{waiting.removeprefix('vertex-')}.condition", "near")
     doer.add("Motor.RightBy", f"arc-{waiting.removeprefix('vertex-')}.next", "right")
-    doer.run()
     doer.studio.expect_code(
         re.compile(r"\*\(\s*Wheel\.Advance\(50\);\s*<Captor\.LessThan\(50\)>.*Motor\.RightBy\(90\)")
     )
+    doer.run()
 
 
 def play_a_tune(doer: Doer) -> None:
     doer.begin_nothing("microbit")
     doer.add("Music.Play", "first-place", "")
-    doer.run()
     doer.studio.expect_code("Music.Play(")
+    doer.run()
 
 
 def make_a_world(doer: Doer) -> None:
