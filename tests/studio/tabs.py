@@ -23,8 +23,9 @@ IDLE, USES = 2, 12
 """How many tabs wait for the next test, and how many tests use one: the browser frees little between them."""
 KEEP_TEXT = """try {
     if (localStorage.getItem("kitrobot.text") === null) localStorage.setItem("kitrobot.text", "yes");
+    if (localStorage.getItem("kitrobot.simple") === null) localStorage.setItem("kitrobot.simple", "no");
 } catch {}"""
-"""Somebody who works with the text asks once that it stays."""
+"""Somebody who works with the text, and with every detail, asks once that they stay."""
 HANDS_MS = int(os.environ.get("KITROBOT_HANDS_MS", "0"))
 """How long a test waits between two things it does: what comes late in the page has come by then."""
 LINE_MS = int(os.environ.get("KITROBOT_LINE_MS", "0"))

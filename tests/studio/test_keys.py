@@ -196,7 +196,7 @@ def test_a_program_is_drawn_without_a_mouse(open_studio: OpenStudio) -> None:
 def test_the_parts_are_walked_and_enter_puts_one_at_the_selection(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     keys = studio.page.keyboard
-    vertex(studio, "Wheels Stop").click()
+    vertex(studio, "Wheels Stand still").click()
     for _ in range(8):
         if studio.page.evaluate("document.activeElement.closest('.parts') !== null"):
             break
@@ -239,7 +239,7 @@ def f7_goes_through_the_rooms_and_the_arena_answers_keys(studio: Studio) -> None
 
 
 def keys_mean_the_same_on_a_keyboard_of_another_script(studio: Studio) -> None:
-    vertex(studio, "Wheels Stop").click()
+    vertex(studio, "Wheels Stand still").click()
     studio.page.evaluate(
         "document.activeElement.dispatchEvent("
         "new KeyboardEvent('keydown', { key: 'ن', code: 'KeyN', bubbles: true, cancelable: true }))"

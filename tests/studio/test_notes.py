@@ -28,7 +28,7 @@ def name_of(at: Locator) -> str:
 
 def n_writes_a_note_that_stands_on_the_vertex_and_in_the_text(studio: Studio) -> None:
     keys = studio.page.keyboard
-    stop = vertex(studio, "Wheels Stop")
+    stop = vertex(studio, "Wheels Stand still")
     name = name_of(stop)
     stop.click()
     keys.press("n")
@@ -65,7 +65,7 @@ def a_note_is_edited_where_it_stands_and_escape_leaves_it_as_it_was(studio: Stud
     expect(studio.at("saved-state")).to_have_text("saved")
     strip.click()
     studio.at("note-field").fill("Kept by a click elsewhere")
-    vertex(studio, "Wheels Stop").click()
+    vertex(studio, "Wheels Stand still").click()
     studio.expect_code("# Kept by a click elsewhere")
     strip.click()
     studio.at("note-field").fill("")
@@ -74,7 +74,7 @@ def a_note_is_edited_where_it_stands_and_escape_leaves_it_as_it_was(studio: Stud
 
 
 def the_menu_writes_and_removes_a_note(studio: Studio) -> None:
-    stop = vertex(studio, "Wheels Stop")
+    stop = vertex(studio, "Wheels Stand still")
     name = name_of(stop)
     stop.click(button="right")
     expect(studio.at("menu-context-unnote")).to_have_count(0)
@@ -92,7 +92,7 @@ def the_menu_writes_and_removes_a_note(studio: Studio) -> None:
 
 
 def what_was_typed_is_kept_when_another_program_is_opened(studio: Studio) -> None:
-    vertex(studio, "Wheels Stop").click()
+    vertex(studio, "Wheels Stand still").click()
     studio.page.keyboard.press("n")
     studio.page.keyboard.type("Half a thought")
     studio.at("tab-loader").click()

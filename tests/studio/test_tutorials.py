@@ -166,7 +166,7 @@ def test_sensing_with_a_wrong_way_and_undo(open_studio: OpenStudio) -> None:
     at_step(studio, 6)
     studio.page.keyboard.press("Control+y")
     done(studio, 1, 2, 3, 4, 5)
-    stop = studio.page.locator('.vertex[aria-label*="Stop"]').first.get_attribute("data-testid") or ""
+    stop = studio.page.locator('.vertex[aria-label*="Stand still"]').first.get_attribute("data-testid") or ""
     studio.drop("Motor.AbsoluteTurn", f"arc-{stop.removeprefix('vertex-')}.next")
     at_step(studio, 7)
     turn = studio.page.locator('.vertex[aria-label*="Turn by"]').get_attribute("data-testid") or ""

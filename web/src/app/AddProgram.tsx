@@ -4,6 +4,7 @@ import { robotKinds } from "../model/robot-kinds";
 import { useStudio } from "../model/studio";
 import { addProgramFor } from "../session/actions";
 import { complain } from "../session/document";
+import { useShown } from "../session/simple-view";
 import { Icon } from "../theme";
 import { type MenuEntry, menuItem } from "../ui/menu-model";
 import { MenuButton } from "../ui/MenuButton";
@@ -25,6 +26,7 @@ function teamEntry(social: boolean): MenuEntry {
 
 export function AddProgram() {
   const social = useStudio((studio) => studio.mission.programs.some((one) => one.level === "social"));
+  const team = useShown("team");
   const robots = useStudio((studio) => studio.catalogue.robots);
   if (robots.length === 0) return null;
   return (
@@ -37,8 +39,7 @@ export function AddProgram() {
         entries={[
           { kind: "heading", id: "for", label: t("program.add") },
           ...robotEntries(robots),
-          { kind: "line", id: "team" },
-          teamEntry(social),
+          ...(team ? [{ kind: "line", id: "team" } as const, teamEntry(social)] : []),
         ]}
       >
         <Icon name="plus" size={18} />

@@ -20,6 +20,7 @@ import { complain } from "../session/document";
 import type { FeatureTab } from "../session/features";
 import { useIsGuilty } from "../session/guilty";
 import { isLive, type RunState, useRun, watchedAgent } from "../session/run";
+import { useShownNames } from "../session/simple-view";
 import { closeTeam, useTeam } from "../session/team-view";
 import { Icon } from "../theme";
 import { useInView } from "../ui/in-view";
@@ -152,6 +153,9 @@ function Tab({ name, onKey }: TabProps & { name: string }) {
 /** The tab of a feature. */
 function LastTab({ tab: { name, icon, label, open, useTab }, onKey }: TabProps & { tab: FeatureTab }) {
   const { open: shown, errors, count } = useTab();
+  const isDetail = !useShownNames().tab(name);
+  // Whatever led to what it shows, the way back stands here; and a mistake is told where it is.
+  if (isDetail && !shown && !errors) return null;
   return (
     <button
       type="button"

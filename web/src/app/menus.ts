@@ -5,6 +5,7 @@
 import { t } from "../i18n/words";
 import { features } from "../session/features";
 import { type MenuGroup, MENUS } from "../session/menu-table";
+import { useShownNames } from "../session/simple-view";
 import type { MenuEntry, MenuPart } from "../ui/menu-model";
 
 /** The sections that have entries, with a line between two of them. */
@@ -18,7 +19,9 @@ export function useMenus(): MenuPart[] {
   // The list of features never changes, so neither does the order of their hooks.
   // eslint-disable-next-line react-hooks/rules-of-hooks
   const all = features().map(({ useMenu }) => useMenu?.() ?? {});
-  const inGroup = (group: MenuGroup) => all.flatMap((entries) => entries[group] ?? []);
+  const shown = useShownNames();
+  const inGroup = (group: MenuGroup) =>
+    all.flatMap((entries) => entries[group] ?? []).filter(({ id }) => shown.entry(id));
   return MENUS.map(({ id, label, sections }) => ({
     id,
     label: t(label),

@@ -9,6 +9,7 @@ import { keyFor } from "../session/key-table";
 import { type Panel, useLayout } from "../session/layout";
 import type { MenuEntries } from "../session/menu-table";
 import { save } from "../session/saving";
+import { chooseSimple, tellNeed, useNeed, useSimpleView } from "../session/simple-view";
 import { type ThemeChoice, useTheme } from "../theme";
 import { later } from "../ui/later";
 import { type MenuEntry, menuItem } from "../ui/menu-model";
@@ -54,6 +55,7 @@ const PANELS: Panel[] = ["palette", "inspector", "code", "arena"];
 
 const WORDS: Feature["words"] = {
   "file-download-lll": "search.source",
+  "view-simple": "search.simple",
   ...Object.fromEntries(THEMES.map((theme) => [`view-${theme}`, "search.theme" as const])),
   ...Object.fromEntries(SPOKEN.map((language) => [`view-${language}`, "search.language" as const])),
 };
@@ -116,11 +118,27 @@ function programEntries({ activeProgram, catalogue, mission }: StudioState): Men
   };
 }
 
+/** The switch of the simple view; a mission that shows everything leaves nothing to switch. */
+function useSimpleEntry(): MenuEntry {
+  const needed = useNeed() !== null;
+  const chosen = useSimpleView((view) => view.chosen);
+  return {
+    kind: "check",
+    id: "view-simple",
+    label: t("view.simple"),
+    disabled: needed,
+    checked: chosen && !needed,
+    run: () => chooseSimple(!chosen),
+  };
+}
+
 function useMenu(): MenuEntries {
   const studio = useStudio();
   const choice = useTheme((theme) => theme.choice);
   const folded = useLayout((layout) => layout.folded);
+  const simple = useSimpleEntry();
   return {
+    simple: [simple],
     ...fileEntries(studio),
     ...historyEntries(studio),
     ...programEntries(studio),
@@ -157,6 +175,7 @@ export const page: Feature = {
   words: WORDS,
   elsewhere: [{ name: "help.keys-save", says: "elsewhere.merge", also: "search.merge" }],
   useMenu,
+  start: tellNeed,
   sheets: {
     "save-as": inSheets("SaveAsSheet", true),
     shortcuts: inSheets("ShortcutsSheet", true),

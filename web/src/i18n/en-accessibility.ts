@@ -6,7 +6,7 @@ export const ACCESSIBILITY_EN = {
 
   "outline.title": "Outline",
 
-  "part-help.condition": "A test goes here.",
+  "part-help.condition": "A condition goes here.",
   "part-help.value": "A value goes here.",
   "part-help.action": "An action of the robot goes here.",
 

@@ -2,7 +2,7 @@
 export const EDITOR_EN = {
   "graph.label": "Graph of {name}",
   "graph.start": "Start",
-  "graph.stop": "Stop",
+  "graph.stop": "End",
   "graph.done": "done",
   "graph.leave": "out",
   "graph.condition": "condition",
@@ -15,6 +15,7 @@ export const EDITOR_EN = {
   "graph.arc-body": "Arc into {name}, {slot}",
   "graph.parked": "Not connected",
   "graph.drop-here": "Drop a part here",
+  "graph.or-tap": "or tap",
   "graph.or-press": "or press",
   "graph.zoom": "Zoom",
   "graph.zoom-in": "Zoom in",
@@ -75,6 +76,7 @@ export const EDITOR_EN = {
   "parts.variables": "Variables",
   "parts.none": "No part is called “{query}”.",
   "parts.elsewhere": "{robot} can do it: {parts}.",
+  "parts.throw-away": "Drop here to throw away",
   "parts.tree": "Parts",
   "parts.tabs": "Kinds of parts",
   "parts.on": "true",
@@ -86,6 +88,7 @@ export const EDITOR_EN = {
 
   "inspector.title": "Inspector",
   "inspector.nothing": "Nothing selected.",
+  "inspector.nothing-tap": "Tap a part to set its speed, angle or condition here.",
   "inspector.nothing-help": "Click a part to set its speed, angle or condition here.",
   "inspector.many": { one: "{count} part selected", other: "{count} parts selected" },
   "inspector.delete": "Delete",

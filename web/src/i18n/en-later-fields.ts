@@ -30,5 +30,6 @@ export const FIELDS_EN = {
   "fields.keys": "Enter keeps it · Esc leaves it as it was",
   "fields.in-lll": "In LLL: {name}",
   "fields.means": "{number} means {words}",
+  "fields.where-tap": "{field} of “{part}” · a double tap in the graph sets it",
   "fields.where": "{field} of “{part}” · a double click in the graph sets it",
 } as const;

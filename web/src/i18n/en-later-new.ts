@@ -9,7 +9,7 @@ export const NEW_EN = {
   "new.place-not": "Not for this robot",
   "new.starter-not": "Not in this place",
   "new.nothing": "From nothing",
-  "new.nothing-help": "Only Start and Stop",
+  "new.nothing-help": "Only Start and End",
   "new.yours": "Your mission",
   "new.sentence": "{robot} · {place} · {starter}",
   "new.sentence-nothing": "{robot} · {place} · a program of your own",

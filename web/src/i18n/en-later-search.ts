@@ -25,6 +25,7 @@ export const SEARCH_EN = {
   "search.faults": "fault injection, robustness",
   "search.live": "debugger, probe, values",
   "search.theme": "theme, colours, accessibility",
+  "search.simple": "beginner, easy, expert, advanced, details, everything",
   "search.language": "language, translation",
   "search.import": "import, library, extension",
   "search.source": "source code, text",

@@ -2,14 +2,15 @@
  * Dragging of parts and vertices with any pointer: mouse, finger, pen.
  *
  * A drag begins when a pressed pointer has moved a little; from then on a ghost follows it and the canvas says (by its
- * resolver) where a drop would go. Escape or a lost pointer ends it without a change (`ui/pointer-drag`).
+ * resolver) where a drop would go. Over the bin, which the list of parts is, vertices are thrown away. Escape or a lost
+ * pointer ends it without a change (`ui/pointer-drag`).
  */
 import type { PointerEvent as ReactPointerEvent } from "react";
 import { create } from "zustand";
 
 import type { Point } from "../model/layout";
 import { followPointer } from "../ui/pointer-drag";
-import { addPartAt, movePartsTo } from "./edits";
+import { addPartAt, deleteVertices, movePartsTo } from "./edits";
 import type { Target } from "./targets";
 import { useView } from "./view";
 
@@ -20,15 +21,20 @@ interface DragState {
   /** In px of the window. */
   at: Point;
   target: Target | null;
+  /** Whether a drop throws it away. */
+  away: boolean;
   /** Alt: a copy is dropped. */
   copy: boolean;
 }
 
 type Resolver = (at: Point, payload: Payload) => Target | null;
 
-export const useDrag = create<DragState>(() => ({ payload: null, at: { x: 0, y: 0 }, target: null, copy: false }));
+const NOWHERE = { target: null, away: false, copy: false };
+
+export const useDrag = create<DragState>(() => ({ payload: null, at: { x: 0, y: 0 }, ...NOWHERE }));
 
 let resolver: Resolver = () => null;
+let bin: Element | null = null;
 let ended = false;
 let cancelCurrent: () => void = () => undefined;
 
@@ -39,6 +45,17 @@ window.addEventListener("click", () => setTimeout(() => (ended = false)), true);
 /** The canvas says where things go. */
 export function setResolver(resolve: Resolver): void {
   resolver = resolve;
+}
+
+/** What throws away the vertices that are dropped on it; null for nothing. */
+export function setBin(element: Element | null): void {
+  bin = element;
+}
+
+function isOverBin({ x, y }: Point, { kind }: Payload): boolean {
+  const box = bin?.getBoundingClientRect();
+  if (box === undefined || box.width === 0 || kind === "part") return false;
+  return x >= box.left && x <= box.right && y >= box.top && y <= box.bottom;
 }
 
 /** Looks again where a drop would go, after the graph has moved under the pointer. */
@@ -64,20 +81,27 @@ export function beginDrag(event: ReactPointerEvent, payload: Payload): void {
   if (!event.isPrimary) return;
   cancelCurrent = followPointer(event, {
     move: (at, copy) => {
-      const found = resolver(at, payload);
+      const away = isOverBin(at, payload);
+      const found = away ? null : resolver(at, payload);
       const { target } = useDrag.getState();
-      useDrag.setState({ payload, at, copy, target: found?.key === target?.key ? target : found });
+      useDrag.setState({ payload, at, copy, away, target: found?.key === target?.key ? target : found });
     },
     drop: () => {
-      const { target, copy } = useDrag.getState();
-      useDrag.setState({ payload: null, target: null, copy: false });
-      if (target !== null) drop(payload, target, copy);
+      const { target, copy, away } = useDrag.getState();
+      useDrag.setState({ payload: null, ...NOWHERE });
+      if (away && payload.kind === "vertices") throwAway(payload.ids);
+      else if (target !== null) drop(payload, target, copy);
     },
     end: (moved) => {
       if (moved) ended = true;
-      useDrag.setState({ payload: null, target: null, copy: false });
+      useDrag.setState({ payload: null, ...NOWHERE });
     },
   });
+}
+
+function throwAway(ids: string[]): void {
+  deleteVertices(ids);
+  useView.getState().viewport?.focus();
 }
 
 function drop(payload: Payload, { place }: Target, copy: boolean): void {

@@ -44,9 +44,12 @@ export function movePartsTo(place: Place, ids: string[], copy: boolean): boolean
   return edit(({ program, parts }) => (copy ? copyParts : moveParts)(program, parts, ids, place));
 }
 
+export function deleteVertices(ids: string[]): boolean {
+  return ids.length > 0 && edit(({ program, parts }) => deleteParts(program, parts, ids));
+}
+
 export function deleteSelection(): boolean {
-  const { selection } = useStudio.getState();
-  return selection.length > 0 && edit(({ program, parts }) => deleteParts(program, parts, selection));
+  return deleteVertices(useStudio.getState().selection);
 }
 
 /** Moves the selected parts past their neighbour. */

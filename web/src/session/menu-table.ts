@@ -11,7 +11,7 @@ export const MENUS = [
     sections: [["open", "add"], ["save"], ["download", "image"], ["picture"], ["print"]],
   },
   { id: "Edit", label: "menu.edit", sections: [["history"], ["clipboard"], ["find"]] },
-  { id: "View", label: "menu.view", sections: [["viewport", "look", "outline"]] },
+  { id: "View", label: "menu.view", sections: [["simple"], ["viewport", "look", "outline"]] },
   {
     id: "Program",
     label: "menu.program",

@@ -122,6 +122,16 @@ function contains(box: { x: number; y: number; w: number; h: number }, { x, y }:
   return x >= box.x - margin && x <= box.x + box.w + margin && y >= box.y - margin && y <= box.y + box.h + margin;
 }
 
+/** What takes a thing of that shape: the words of `data-accepts`, which lights these places up while it is dragged. */
+export function acceptedPlaces(shape: Shape): string {
+  if (shape.role === "branch") return "branches";
+  const places = standsInChain(shape) ? ["arcs"] : [];
+  for (const accepts of ["condition", "value", "action"] as const) {
+    if (fits(shape, { name: "", label: {}, accepts })) places.push(`${accepts}s`);
+  }
+  return places.join(" ");
+}
+
 /** Everything inside the given vertices, themselves and their marks included. */
 export function insideOf({ structure }: Drawing, ids: string[]): Set<string> {
   const spots = ids.flatMap((id) => findSpot(structure, id) ?? []);

@@ -4,5 +4,6 @@ import "@fontsource-variable/jetbrains-mono/wght.css";
 
 import "./tokens.css";
 import "./tokens-contrast.css";
+import "./forced-colors.css";
 import "./base.css";
 import "./mirror.css";

@@ -1,5 +1,6 @@
 /** What the words of a text mean, in the words of the XML: a call's object, method and parameters, or a construct. */
 import { readWhole } from "../../i18n/numbers";
+import { handKey } from "../../i18n/touch";
 import { t } from "../../i18n/words";
 import { inWords, measureOf } from "../../model/meaning";
 import { type Shape, title } from "../../model/parts";
@@ -66,7 +67,7 @@ export function numberHelp(line: string, at: number, shape: Shape | null): HelpW
     from,
     to: from + found[0].length,
     title: t("fields.means", { number: found[0], words }),
-    help: t("fields.where", { field: said(field.label, field.name), part: title(shape) }),
+    help: t(handKey("fields.where"), { field: said(field.label, field.name), part: title(shape) }),
     parameters: [],
   };
 }

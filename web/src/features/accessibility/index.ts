@@ -3,6 +3,7 @@
 import "./panels.css";
 import "./touch.css";
 import "./narrow.css";
+import "./low.css";
 
 import { t } from "../../i18n/words";
 import type { Feature } from "../../session/features";

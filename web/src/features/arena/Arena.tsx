@@ -4,6 +4,7 @@ import { type KeyboardEvent, useEffect, useRef, useState } from "react";
 import { isEnded, useRun } from "../../session/run";
 import { keyFor, keyIn } from "../../session/key-table";
 import { watchFrames } from "../../session/poses";
+import { useShown } from "../../session/simple-view";
 import { toggleText, useStage } from "../../session/stage";
 import { Seed } from "./Seed";
 import { useTheme } from "../../theme";
@@ -39,6 +40,7 @@ interface HeadingProps {
 
 function Heading({ scene, painter, stage }: HeadingProps) {
   const { large, beside, text } = useStage();
+  const seed = useShown("seed");
   const world = scene?.world;
   const size = (mm: number) => decimal(mm / 1000);
   const what =
@@ -58,7 +60,7 @@ function Heading({ scene, painter, stage }: HeadingProps) {
       <span className="side-note ellipsis muted small-text" title={what}>
         {what}
       </span>
-      {world === undefined ? null : <Seed />}
+      {world === undefined || !seed ? null : <Seed />}
       {large && stage !== null ? <stage.Switches /> : null}
       <span className="side-tools">
         {large ? null : (
@@ -146,6 +148,11 @@ export function Arena() {
   useEffect(() => {
     if (scene !== null) painter?.setScene(scene, selected);
   }, [painter, scene, selected]);
+  const places = useShown("places");
+  useEffect(() => {
+    // Once the parts of the stage are there, they say what is shown.
+    if (stage === null) painter?.setLayers({ place: places, names: false }, null);
+  }, [painter, stage, places]);
   useEffect(() => {
     painter?.setView(program, followed);
   }, [painter, program, followed]);

@@ -14,7 +14,15 @@ import { useStudio } from "../../model/studio";
 import { complain } from "../../session/document";
 import { setResolver, useDrag } from "../../session/drag";
 import { currentDrawing, type Drawing, nodeOf, useDrawing } from "../../session/drawing";
-import { insideOf, REACH, slotOnScreen, type Target, targetInLayout, wrapTarget } from "../../session/targets";
+import {
+  acceptedPlaces,
+  insideOf,
+  REACH,
+  slotOnScreen,
+  type Target,
+  targetInLayout,
+  wrapTarget,
+} from "../../session/targets";
 import { dropArc, useView } from "../../session/view";
 import { later } from "../../ui/later";
 import { ActiveVertices } from "./active";
@@ -75,10 +83,8 @@ function Graph({ drawing }: { drawing: Drawing }) {
   useCanvasKeys(root);
   useClipboard();
   useContextMenu(root);
-  const accepts = useDrag(({ payload, target }) => {
-    if (payload === null) return "";
-    return target === null || target.place.kind === "arc" || target.place.kind === "void" ? "arcs" : "others";
-  });
+  const dragged = useDrag(({ payload }) => payload?.element);
+  const accepts = dragged === undefined ? "" : acceptedPlaces(drawing.parts.shape(dragged));
   const plain = usePlain();
   const part = usePart(plain);
   const { layout } = drawing;

@@ -3,6 +3,7 @@ import { PanelSlot } from "../../components/Slot";
 import { type Parts, type Shape, shortTitle } from "../../model/parts";
 import { firstSentence, text } from "../../model/texts";
 import { Tile } from "../../theme";
+import { handKey } from "../../i18n/touch";
 import { t } from "../../i18n/words";
 import { useDocument } from "../../session/document";
 import { beginDrag, justDragged } from "../../session/drag";
@@ -38,7 +39,7 @@ export function EmptyTeaching({ drawing }: { drawing: Drawing }) {
   return (
     <section className="teaching">
       <h2>{t("graph.first-step")}</h2>
-      <p>{t("graph.first-help")}</p>
+      <p>{t(handKey("graph.first-help"))}</p>
       <ul className="teaching-parts">
         {firstParts(drawing.parts).map((shape) => (
           <li key={shape.element}>

@@ -11,6 +11,7 @@ import { useView } from "../../session/view";
 import { later } from "../../ui/later";
 import { Leaps } from "./BreakEdges";
 import { FoldControls } from "./Folding";
+import { useMoved } from "./moved";
 import { boxInside, type Part } from "./part";
 
 const Lanes = later(() => import("./Lanes").then((chunk) => chunk.Lanes), complain);
@@ -95,12 +96,14 @@ const Arc = memo(function Arc({ arc, again, plain }: { arc: LayoutArc; again: bo
   const { id, points, colour, head, label, missing, dead } = arc;
   const selected = useView((state) => state.arc === id);
   const aimed = useDrag((state) => state.target?.key === `arc:${id}`);
+  const own = useMoved(arc.source);
   const path = roundedPath(points, head);
   const tip = head && !plain ? headPath(points) : "";
   const spot = spotOf(arc);
   const classes = ["arc"];
   if (selected) classes.push("is-selected");
   if (aimed) classes.push("is-aimed");
+  if (own) classes.push("is-own");
   if (missing) classes.push("is-missing");
   if (dead) classes.push("is-dead");
   const select = () => {
@@ -132,6 +135,7 @@ const Arc = memo(function Arc({ arc, again, plain }: { arc: LayoutArc; again: bo
           aria-pressed={selected}
           style={{ transform: shift(spot) }}
         >
+          {aimed ? <rect className="arc-gap" x="-72" y="-15" width="144" height="30" rx="6" /> : null}
           <circle r="9" />
           <path d="M-4 0H4M0 -4V4" />
         </g>

@@ -1,6 +1,7 @@
 /** The vertices of the graph. Each takes its place and size from the layout. */
 import { memo, useMemo } from "react";
 
+import { handKey, pointsByTouch } from "../../i18n/touch";
 import { t } from "../../i18n/words";
 import type { Layout, LayoutNode } from "../../model/layout";
 import type { Block } from "../../model/structure";
@@ -180,8 +181,8 @@ function FirstPlace({ node: { id, colour, w, h } }: { node: LayoutNode }) {
     >
       <Icon name="plus" size={16} />
       <strong>{t(isFirst ? "graph.drop-here" : colour === "loop" ? "graph.drop-repeats" : "graph.drop-inside")}</strong>
-      <span>{t("graph.or-press")}</span>
-      <kbd>/</kbd>
+      <span>{t(handKey("graph.or-press"))}</span>
+      {pointsByTouch() ? null : <kbd>/</kbd>}
     </button>
   );
 }

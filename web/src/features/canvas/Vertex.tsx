@@ -15,6 +15,7 @@ import { later } from "../../ui/later";
 import { useThreadsAt } from "./active";
 import { Badges } from "./Badges";
 import { FoldedWords } from "./Folding";
+import { useMoved } from "./moved";
 
 /** Selects on a click; Shift or Ctrl adds to the selection or takes away from it. */
 export function selectVertex(id: string, event: { shiftKey: boolean; ctrlKey: boolean; metaKey: boolean }): void {
@@ -38,6 +39,7 @@ const LiveValue = later(() => import("./LiveValue").then((chunk) => chunk.LiveVa
 export const Vertex = memo(function Vertex({ node }: { node: LayoutNode }) {
   const { vertex: id, face, block, kind, w, h, colour } = node;
   const selected = useStudio((state) => state.selection.includes(id));
+  const takes = (slot: string) => block?.shape.plugs.find(({ name }) => name === slot)?.accepts;
   const threads = useThreadsAt(id, node.mark?.vertex.id ?? null, node.inside?.vertices);
   const aimed = useDrag((state) => state.target?.key === `vertex:${id}`);
   const lifted = useDrag(
@@ -90,7 +92,7 @@ export const Vertex = memo(function Vertex({ node }: { node: LayoutNode }) {
       {face.chips.length === 1 ? <Live node={node} spare={spare} /> : null}
       <span className="vertex-space" />
       {face.boxes.map((box) => (
-        <BoxView key={box.slot} box={box} vertex={id} />
+        <BoxView key={box.slot} box={box} vertex={id} takes={takes(box.slot)} />
       ))}
       <FoldedWords node={node} />
       <Badges node={node} threads={threads} />
@@ -129,6 +131,7 @@ export function ChipView({ chip, vertex }: { chip: Chip; vertex: string }) {
   const classes = ["chip"];
   if (selected) classes.push("is-selected");
   if (aimed) classes.push("is-aimed");
+  if (useMoved(chip.filler ?? vertex)) classes.push("is-own");
   if (chip.filler === null) classes.push("is-empty");
   const words = chip.pieces.map((piece) => (piece.kind === "words" ? piece.words : piece.label)).join(" ");
   return (
@@ -138,6 +141,7 @@ export function ChipView({ chip, vertex }: { chip: Chip; vertex: string }) {
       data-testid={`slot-${vertex}.${chip.slot}`}
       data-vertex={vertex}
       data-slot={chip.slot}
+      data-takes={chip.accepts}
       role={chip.pieces.length > 1 ? "group" : "button"}
       aria-label={words}
       title={chipWidth(chip) < MOST_CHIP ? undefined : words}
@@ -172,13 +176,15 @@ export function ChipView({ chip, vertex }: { chip: Chip; vertex: string }) {
 /** An empty slot inside a chip. */
 function Hole({ vertex, slot, label }: { vertex: string; slot: string; label: string }) {
   const aimed = useDrag((state) => state.target?.key === `slot:${vertex}.${slot}`);
+  const own = useMoved(vertex);
   return (
     <span
-      className={aimed ? "hole is-aimed" : "hole"}
+      className={`hole${aimed ? " is-aimed" : ""}${own ? " is-own" : ""}`}
       data-testid={`slot-${vertex}.${slot}`}
       data-vertex={vertex}
       data-slot={slot}
       data-hole=""
+      data-takes="condition"
       role="button"
       onClick={(event) => {
         event.stopPropagation();
@@ -196,10 +202,11 @@ function openSlot(vertex: string, slot: string): void {
   useView.getState().setAdding({ vertex, slot: { kind: "slot", vertex, slot } });
 }
 
-function BoxView({ box, vertex }: { box: Box; vertex: string }) {
+function BoxView({ box, vertex, takes }: { box: Box; vertex: string; takes: string | undefined }) {
   const aimed = useDrag((state) => state.target?.key === `slot:${vertex}.${box.slot}`);
   const selected = useStudio((state) => box.plugged !== null && state.selection.includes(box.plugged));
   const classes = ["box"];
+  if (useMoved(vertex)) classes.push("is-own");
   if (box.plugged !== null) classes.push("is-plugged");
   if (aimed) classes.push("is-aimed");
   if (selected) classes.push("is-selected");
@@ -209,6 +216,7 @@ function BoxView({ box, vertex }: { box: Box; vertex: string }) {
       data-testid={`slot-${vertex}.${box.slot}`}
       data-vertex={vertex}
       data-slot={box.slot}
+      data-takes={takes}
       onClick={(event) => {
         if (box.plugged === null || justDragged()) return;
         event.stopPropagation();

@@ -13,6 +13,7 @@ import { useStudio } from "../../model/studio";
 import { TEAM_ROBOT } from "../../model/team-robot";
 import { type CodeSide, showCode, useCodeSide } from "../../session/code-side";
 import { complain } from "../../session/document";
+import { useShown } from "../../session/simple-view";
 import { useTyping } from "../../session/typing";
 import { later } from "../../ui/later";
 import { TabList } from "../../ui/TabList";
@@ -51,8 +52,13 @@ function CopyButton({ text }: { text: string }) {
 export function Code() {
   const wanted = useCodeSide((code) => code.side);
   const isTeam = useStudio((studio) => studio.mission.programs.some((one) => one.robot === TEAM_ROBOT));
-  const side = isTeam || wanted !== "projection" ? wanted : "lll";
-  const sides: CodeSide[] = isTeam ? ["lll", "listing", "projection"] : ["lll", "listing"];
+  const listed = useShown("listing");
+  const sides: CodeSide[] = [
+    "lll",
+    ...(listed ? (["listing"] as const) : []),
+    ...(isTeam ? (["projection"] as const) : []),
+  ];
+  const side = sides.includes(wanted) ? wanted : "lll";
   const program = useStudio((studio) => studio.activeProgram);
   const found = useStudio((studio) => studio.report?.programs.find((one) => one.name === studio.activeProgram));
   const lll = found?.lll ?? "";

@@ -23,6 +23,7 @@ import {
 } from "./judging";
 import { type Mark, OPEN } from "./marks";
 import { useOpenExercise } from "../../session/open-exercise";
+import { isShown } from "../../session/simple-view";
 import "./exercise.css";
 
 const ICONS = { open: "circle", reached: "circle-check", missed: "circle-x" } as const;
@@ -68,7 +69,8 @@ function basisWords(): string {
   const { basis, busy, old, marks } = useExercise.getState();
   if (busy !== null) return t("exercise.judging", { done: busy.done, total: busy.total });
   if (old && basis.kind !== "none") return t("exercise.changed");
-  if (basis.kind === "run") return t("exercise.after-run", { seed: basis.seed });
+  if (basis.kind === "run")
+    return isShown("seed") ? t("exercise.after-run", { seed: basis.seed }) : t("exercise.after-one");
   if (basis.kind === "stopped") return t("exercise.stopped");
   if (basis.kind === "none") return t("exercise.not-yet");
   if (marks.every(({ state }) => state === "reached")) return t("exercise.all-done");

@@ -3,6 +3,7 @@ import "./inspector.css";
 
 import { useEffect } from "react";
 
+import { handKey } from "../../i18n/touch";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { findSpot } from "../../model/tree";
@@ -45,7 +46,7 @@ function Nothing() {
         <Icon name="mouse-pointer-2" size={18} />
         <p>
           <strong>{t("inspector.nothing")}</strong>
-          {t("inspector.nothing-help")}
+          {t(handKey("inspector.nothing-help"))}
         </p>
       </div>
     </div>

@@ -10,6 +10,7 @@ import { text } from "../../model/texts";
 import { type Spot, withMark } from "../../model/tree";
 import type { Vertex } from "../../model/types";
 import { type Drawing, useDrawing } from "../../session/drawing";
+import { useShown } from "../../session/simple-view";
 import { Tile } from "../../theme";
 import { BlockEditor } from "./BlockEditor";
 import { Branches } from "./Branches";
@@ -19,6 +20,7 @@ import { Tools } from "./Tools";
 
 export function Part({ drawing, spot }: { drawing: Drawing; spot: Spot }) {
   const { shape, vertex } = spot.block;
+  const places = useShown("places");
   const line = useLine(vertex.id, withMark(spot).block.vertex.id);
   const icon = shape.method?.icon || shape.icon;
   const help = text(shape.help);
@@ -27,12 +29,12 @@ export function Part({ drawing, spot }: { drawing: Drawing; spot: Spot }) {
       <header className="inspector-head row">
         <Tile icon={icon} colour={shape.colour} size={22} />
         <h2>{title(shape)}</h2>
-        {shape.kind === "unknown" || shape.element === title(shape) ? null : (
+        {!places || shape.kind === "unknown" || shape.element === title(shape) ? null : (
           <code className="inspector-element ellipsis muted" title={t("fields.in-lll", { name: shape.element })}>
             {shape.element}
           </code>
         )}
-        {line === null ? null : <span className="muted rigid">{t("inspector.line", { line })}</span>}
+        {!places || line === null ? null : <span className="muted rigid">{t("inspector.line", { line })}</span>}
         <Tools />
       </header>
       <BlockEditor drawing={drawing} spot={spot} />

@@ -10,11 +10,13 @@ import { elsewhere } from "../../model/part-search";
 import { programInView, useStudio } from "../../model/studio";
 import { isOwn } from "../../session/custom-blocks";
 import { complain } from "../../session/document";
+import { setBin } from "../../session/drag";
 import { addPart } from "../../session/edits";
 import { useReveal } from "../../session/reveal";
 import { newVariable, useVariables, variableKey } from "../../session/variables";
 import { Icon } from "../../theme";
 import { later } from "../../ui/later";
+import { Bin } from "./Bin";
 import { ownKey } from "./custom-row";
 import { PaletteRow } from "./PaletteRow";
 import { PaletteTabs, sectionId } from "./PaletteTabs";
@@ -31,6 +33,7 @@ export function Palette() {
   const [query, setQuery] = useState("");
   const [at, setAt] = useState("");
   const list = useRef<HTMLDivElement>(null);
+  const bin = useRef<HTMLDivElement>(null);
   const find = useRef<HTMLInputElement>(null);
   const parts = partsOf(catalogue, robot);
   const tabs = useMemo(() => tabsOf(parts, query), [parts, query]);
@@ -99,9 +102,15 @@ export function Palette() {
     event.preventDefault();
   };
 
+  useEffect(() => {
+    setBin(bin.current);
+    return () => setBin(null);
+  }, []);
+
   const searching = query.trim() !== "";
   return (
-    <div className="palette">
+    <div className="palette" ref={bin}>
+      <Bin />
       <div className="palette-head rigid">
         <RobotButton />
         <label className="palette-find row muted rigid">

@@ -14,6 +14,7 @@ import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import type { ScheduledFailure } from "../../model/types";
 import { can, targetTick, useRun } from "../../session/run";
+import { useShown } from "../../session/simple-view";
 
 const FIRST_S = 60;
 const LANE = 11;
@@ -173,7 +174,8 @@ export function EventStrip() {
   const told = toldMarks(room);
   const counts = (kind: RunEventKind) => events.filter((event) => event.kind === kind).length;
   const idle = status === "idle" || status === "connecting";
-  const label = t("strip.now", { time: clock(seconds), tick: grouped(tick) });
+  const ticks = useShown("ticks");
+  const label = ticks ? t("strip.now", { time: clock(seconds), tick: grouped(tick) }) : clock(seconds);
   return (
     <div
       className="strip"

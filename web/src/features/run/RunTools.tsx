@@ -5,15 +5,43 @@ import { useDocument } from "../../session/document";
 import { STOP_KEY, stopEverything } from "../../session/features";
 import { keyFor } from "../../session/key-table";
 import { can, isLive, useRun } from "../../session/run";
+import { useShown } from "../../session/simple-view";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
 import { SpeedControl } from "./SpeedControl";
 import { KEYS } from "./keys";
 
+/** One tick back, and one on. */
+function TickTools({ paused }: { paused: boolean }) {
+  const goesBack = useRun((state) => can("seek", state) && state.tick > 0);
+  return (
+    <>
+      <Tool
+        icon="step-back"
+        label={t("run.step-back")}
+        keys={keyFor.page(KEYS.stepBack)}
+        disabled={!goesBack}
+        testId="step-back-button"
+        data-fold={3}
+        onClick={() => useRun.getState().step("tick", true)}
+      />
+      <Tool
+        icon="step-forward"
+        label={t("run.step")}
+        keys={keyFor.page(KEYS.step)}
+        disabled={!paused}
+        testId="step-button"
+        data-fold={4}
+        onClick={() => useRun.getState().step()}
+      />
+    </>
+  );
+}
+
 export function RunTools() {
   const status = useRun((state) => state.status);
   const watching = useRun((state) => state.watching);
-  const goesBack = useRun((state) => can("seek", state) && state.tick > 0);
+  const ticks = useShown("ticks");
   // What another page steers is not paused here, whatever it does there.
   const paused = status === "paused" && !watching;
   const live = isLive(status);
@@ -45,24 +73,7 @@ export function RunTools() {
         data-fold={8}
         onClick={pause}
       />
-      <Tool
-        icon="step-back"
-        label={t("run.step-back")}
-        keys={keyFor.page(KEYS.stepBack)}
-        disabled={!goesBack}
-        testId="step-back-button"
-        data-fold={3}
-        onClick={() => useRun.getState().step("tick", true)}
-      />
-      <Tool
-        icon="step-forward"
-        label={t("run.step")}
-        keys={keyFor.page(KEYS.step)}
-        disabled={!paused}
-        testId="step-button"
-        data-fold={4}
-        onClick={() => useRun.getState().step()}
-      />
+      {ticks ? <TickTools paused={paused} /> : null}
       <Tool
         icon="redo-dot"
         label={t("run.step-vertex")}

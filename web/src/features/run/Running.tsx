@@ -9,6 +9,7 @@ import { programInView, useStudio } from "../../model/studio";
 import { reveal } from "../../session/actions";
 import { complain } from "../../session/document";
 import { useActiveVertices, useRun, watchedAgent } from "../../session/run";
+import { useShown } from "../../session/simple-view";
 import { later } from "../../ui/later";
 import type { Thread } from "./RunningRow";
 
@@ -28,7 +29,8 @@ function useThreads(program: string): Thread[] {
 }
 
 export function Running({ program }: { program: string }) {
-  const threads = useThreads(program);
+  const all = useThreads(program);
+  const threads = useShown("threads") ? all : [];
   const chosen = useRun((run) => watchedAgent(run, program)?.name ?? "");
   // The names stay while what the agents do changes: there may be thousands.
   const names = useRun(

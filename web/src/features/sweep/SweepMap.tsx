@@ -4,6 +4,7 @@ import { memo, useMemo } from "react";
 import type { SweepField } from "../../api/generated";
 import { axisTime, clock, grouped } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
+import { handKey } from "../../i18n/touch";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { useRun } from "../../session/run";
@@ -97,7 +98,7 @@ export function SweepMap({ swept }: { swept: Swept }) {
         {counts.done === map.total ? <li className="sweep-all bold">{t("sweep.all-done")}</li> : null}
       </ul>
       <p className="sweep-note muted" id="sweep-how">
-        {t("sweep.how")}
+        {t(handKey("sweep.how"))}
       </p>
       <div className="sweep-scroll">
         <table

@@ -2,11 +2,13 @@
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { startTeam } from "../../session/first-team";
+import { useShown } from "../../session/simple-view";
 import { Button } from "../../ui/Button";
 
 export function FirstTeam() {
   const there = useStudio((studio) => studio.mission.programs.some((one) => one.level === "social"));
-  if (there) return null;
+  const shown = useShown("team");
+  if (there || !shown) return null;
   return (
     <section className="team-part surface" aria-labelledby="first-team" data-testid="first-team">
       <h2 id="first-team">{t("first-team.title")}</h2>

@@ -5,6 +5,7 @@ import { withClosed, withPoints } from "../../model/world/roads";
 import { LARGEST_MM, type Part, tidy } from "../../model/world/thing";
 import { withPart } from "../../model/world/things";
 import { Checkbox } from "../../ui/Checkbox";
+import { useShown } from "../../session/simple-view";
 import { Tool } from "../../ui/Tool";
 import { NumberField } from "./NumberField";
 import { type PartProps, set } from "./part-fields";
@@ -14,6 +15,7 @@ export function Corners({ world, thing, part }: PartProps<Part<"line"> | Part<"f
   const closed = thing.kind === "floor" || ("closed" in part && part.closed);
   const least = closed ? 3 : 2;
   const { points } = part;
+  const places = useShown("places");
   const keep = (after: Corner[], what = "", stepped = false) =>
     set(world, thing, withPoints(world, thing, after), what, stepped);
   const insert = (at: number) => {
@@ -25,6 +27,7 @@ export function Corners({ world, thing, part }: PartProps<Part<"line"> | Part<"f
         : { x: tidy((a.x + b.x) / 2), y: tidy((a.y + b.y) / 2), radius: 0 };
     keep([...points.slice(0, at + 1), between, ...points.slice(at + 1)]);
   };
+  if (!places) return null;
   return (
     <fieldset className="world-corners">
       <legend>{t("world.corners")}</legend>

@@ -1,5 +1,6 @@
 /** The numbers and names of what is chosen; of the world itself when nothing is. */
 import { NameCell } from "../../components/NameCell";
+import { handKey } from "../../i18n/touch";
 import { type Key, sentence, t } from "../../i18n/words";
 import { changeOwnWorld, isFreeName, isNamed, renameThing } from "../../model/commands/changeOwnWorld";
 import { useStudio } from "../../model/studio";
@@ -47,7 +48,7 @@ function WorldItself({ world }: { world: OwnWorld }) {
           />
         ))}
       </div>
-      <p className="muted small-text">{t("world.hint")}</p>
+      <p className="muted small-text">{t(handKey("world.hint"))}</p>
     </section>
   );
 }

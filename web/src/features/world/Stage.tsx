@@ -9,6 +9,7 @@ import { type KeyboardEvent, type PointerEvent, useEffect, useMemo, useRef, useS
 import { type Camera, toWorld } from "../../components/scene/camera";
 import { Painter } from "../../components/scene/painter";
 import { sceneBefore } from "../../components/scene/scene";
+import { handKey } from "../../i18n/touch";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import type { OwnWorld } from "../../model/types";
@@ -291,7 +292,7 @@ export function Stage() {
       )}
       {tool === null ? null : (
         <p className="world-tip row small-text" aria-hidden="true">
-          <Icon name={KIND_ICONS[tool]} size={14} /> {t("world.draw", { kind: kindName(tool) })}
+          <Icon name={KIND_ICONS[tool]} size={14} /> {t(handKey("world.draw"), { kind: kindName(tool) })}
         </p>
       )}
       <p className="only-spoken" id="world-summary">

@@ -6,11 +6,13 @@ import type { OwnWorld } from "../../model/types";
 import { nameOf } from "../../model/world/names";
 import { LARGEST_MM, type Part, type Thing, tidy } from "../../model/world/thing";
 import { withPart } from "../../model/world/things";
+import { useShown } from "../../session/simple-view";
 import { change } from "../../session/world-edits";
 import { Select } from "../../ui/Select";
 import { NumberField } from "./NumberField";
 
 const MOST = 65535;
+const COORDINATES: readonly string[] = ["x_mm", "y_mm"];
 
 export interface PartProps<P> {
   world: OwnWorld;
@@ -31,9 +33,12 @@ export function Numbers<P extends Part<Thing["kind"]>>({
   names,
   least = 0,
 }: PartProps<P> & { names: readonly (keyof P & string)[]; least?: number }) {
+  const places = useShown("places");
+  const shown = names.filter((name) => places || !COORDINATES.includes(name));
+  if (shown.length === 0) return null;
   return (
     <div className="world-fields">
-      {names.map((name) => (
+      {shown.map((name) => (
         <NumberField
           key={name}
           label={t(`world.${name}` as Key)}

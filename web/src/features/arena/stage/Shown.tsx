@@ -6,6 +6,7 @@ import type { Scene } from "../../../components/scene/scene";
 import { useOpenExercise } from "../../../session/open-exercise";
 import { recordFrames, watchFrames } from "../../../session/poses";
 import { isEnded, useRun } from "../../../session/run";
+import { useShown } from "../../../session/simple-view";
 import { useStage } from "../../../session/stage";
 import { setFacts } from "./Ending";
 import { useGamepad } from "./gamepad";
@@ -25,6 +26,7 @@ export function Shown({ scene, selected, painter }: ShownProps) {
   const on = useOn();
   const large = useStage((stage) => stage.large);
   const run = useRun((state) => state.name);
+  const places = useShown("places");
   const layers = useMemo(() => new StageLayers(() => painter.paintSoon()), [painter]);
   useEffect(() => {
     layers.begin(run);
@@ -32,8 +34,8 @@ export function Shown({ scene, selected, painter }: ShownProps) {
   }, [layers, run]);
   useEffect(() => {
     layers.show(on, selected, !large);
-    painter.setLayers({ place: !large, names: large && on.names }, layers);
-  }, [painter, layers, on, large, selected]);
+    painter.setLayers({ place: places && !large, names: large && on.names }, layers);
+  }, [painter, layers, on, large, places, selected]);
   useEffect(() => layers.celebrateRuns(), [layers]);
   useEffect(() => {
     const account = () => {

@@ -1,0 +1,196 @@
+"""How many actions the tasks of a first hour take by mouse, keys and fingers, as `docs/first-hour.md` says."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Locator, expect
+
+from tests.studio.conftest import Studio
+from tests.studio.test_first_minutes import Hands
+from tests.studio.test_stage import ORANGE, SEEN
+
+pytestmark = pytest.mark.browser
+
+OpenStudio = Callable[..., Studio]
+PAGE = Path(__file__).parents[2] / "docs" / "first-hour.md"
+DEVICES: dict[str, dict[str, object]] = {
+    "mouse": {"viewport": {"width": 1440, "height": 900}},
+    "keys": {"viewport": {"width": 1440, "height": 900}},
+    "touch": {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True},
+}
+HIDDEN = """(part) => {
+    const [box, list] = [part.getBoundingClientRect(), part.closest('.palette-list').getBoundingClientRect()];
+    return box.top < list.top - 1 || box.bottom > list.bottom + 1;
+}"""
+TAB_OF = "(part) => part.closest('.palette-section').id.replace('parts-of-', '')"
+
+
+def documented() -> dict[str, dict[str, int | None]]:
+    """The counts of the table, by task and device; None where a task is not counted."""
+    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in PAGE.read_text("utf-8").splitlines()]
+    number = re.compile(r"\d+")
+    return {
+        row[0]: {
+            device: int(found[0]) if (found := number.match(cell)) else None
+            for device, cell in zip(DEVICES, row[1:], strict=False)
+        }
+        for row in rows
+        if len(row) == 5 and row[0] not in {"Task", "---"}
+    }
+
+
+class Doer(Hands):
+    """Does a task with one device, and counts each click, drag, tap and key; turning to a tab of parts is one."""
+
+    def __init__(self, studio: Studio, device: str) -> None:
+        super().__init__(studio)
+        self.device = device
+
+    def press(self, at: Locator | str) -> None:
+        if self.device == "touch":
+            self.tap(at)
+        else:
+            self.click(at)
+
+    def add(self, part: str, target: Locator | str, letters: str) -> None:
+        """Puts a part there: dragged, tapped onto what is selected, or found by its first letters."""
+        if self.device == "keys":
+            self.keys("/", *letters, "Enter")
+            return
+        row = self.studio.at(f"part-{part}")
+        if row.evaluate(HIDDEN):
+            self.press(f"palette-tab-{row.evaluate(TAB_OF)}")
+        if self.device == "touch":
+            self.tap(row)
+        else:
+            self.drop(part, target)
+
+    def begin_nothing(self, robot: str = "mini-robot") -> None:
+        """From the sheet of an empty folder to a program without parts; on a phone to its list of parts."""
+        studio = self.studio
+        if self.device == "keys":
+            expect(studio.at("new-robots-mini-robot")).to_be_focused()
+            self.keys("Tab", "Tab", "ArrowUp", "Enter")
+        else:
+            if robot != "mini-robot":
+                self.press(studio.page.locator("label", has=studio.at(f"new-robots-{robot}")))
+            self.press(studio.page.locator("label", has=studio.at("new-starter-nothing")))
+            self.press("new-begin")
+        studio.expect_opened()
+        if self.device == "touch":
+            self.tap("room-palette")
+
+    def after_selected(self) -> str:
+        """The arc behind the part that was added last."""
+        found = self.studio.page.locator(".vertex.is-selected").get_attribute("data-testid") or ""
+        return f"arc-{found.removeprefix('vertex-')}.next"
+
+    def run(self) -> None:
+        if self.device == "keys":
+            self.keys("F5")
+        else:
+            self.press("run-button")
+
+
+def in_body(doer: Doer) -> Locator:
+    return doer.studio.page.locator('.first-place[data-testid$=".body"]')
+
+
+def drive_a_square(doer: Doer) -> None:
+    doer.begin_nothing()
+    if doer.device == "mouse":
+        doer.add("Repetition", "first-place", "")
+        doer.add("Pen.PenDown", "arc-start.next", "")
+    else:
+        doer.add("Pen.PenDown", "", "pe")
+        doer.add("Repetition", "", "re")
+    doer.add("Wheel.DriveBy", in_body(doer), "dr")
+    doer.add("Motor.LeftBy", doer.after_selected(), "lef")
+    doer.studio.expect_code("10*(  Wheel.DriveBy(30);  Motor.LeftBy(90);")
+    doer.run()
+
+
+def turn_at_walls(doer: Doer) -> None:
+    doer.begin_nothing()
+    doer.add("Forever", "first-place", "fore")
+    doer.add("Wheel.Advance", in_body(doer), "keep d")
+    doer.add("Wait Until", doer.after_selected(), "wait u")
+    waiting = doer.studio.page.locator(".vertex.is-selected").get_attribute("data-testid") or ""
+    doer.add("Captor.LessThan", f"slot-{waiting.removeprefix('vertex-')}.condition", "near")
+    doer.add("Motor.RightBy", f"arc-{waiting.removeprefix('vertex-')}.next", "right")
+    expect(doer.studio.at("code")).to_contain_text(
+        re.compile(r"\*\(\s*Wheel\.Advance\(50\);\s*<Captor\.LessThan\(50\)>.*Motor\.RightBy\(90\)")
+    )
+    doer.run()
+
+
+def play_a_tune(doer: Doer) -> None:
+    doer.begin_nothing("microbit")
+    doer.add("Music.Play", "first-place", "")
+    doer.studio.expect_code("Music.Play(")
+    doer.run()
+
+
+def make_a_world(doer: Doer) -> None:
+    """A wall, a ball and a second robot, from a program that is open."""
+    studio = doer.studio
+    begun = doer.made
+    doer.begin_nothing()
+    doer.made = begun
+    doer.press("tab-of-world")
+    doer.press("edit-world")
+    stage = studio.at("world-stage")
+    for kind, (x, y) in {"wall": (0.3, 0.4), "ball": (0.6, 0.4), "start": (0.6, 0.7)}.items():
+        doer.press(f"world-tool-{kind}")
+        box = stage.bounding_box()
+        assert box is not None
+        doer.made += 1
+        place = {"x": x * box["width"], "y": y * box["height"]}
+        stage.click(position=place)  # type: ignore[arg-type]
+    expect(studio.at("world-chosen")).to_be_visible()
+
+
+TASKS: dict[str, tuple[Callable[[Doer], None], tuple[str, ...]]] = {
+    "A square from nothing": (drive_a_square, ("mouse", "keys", "touch")),
+    "Turn at every wall, for ever": (turn_at_walls, ("mouse", "keys", "touch")),
+    "A tune on the micro:bit": (play_a_tune, ("mouse", "touch")),
+    "A wall, a ball and a robot": (make_a_world, ("mouse",)),
+}
+
+
+@pytest.mark.parametrize(("task", "device"), [(task, device) for task, (_, by) in TASKS.items() for device in by])
+def test_a_task_takes_as_many_actions_as_the_table_says(open_studio: OpenStudio, task: str, device: str) -> None:
+    studio = open_studio(None, first_visit=True, **DEVICES[device])
+    studio.page.reload()
+    expect(studio.at("new-starter-draw-square/draw-square.krt")).to_be_checked()
+    doer = Doer(studio, device)
+    TASKS[task][0](doer)
+    assert doer.made == documented()[task][device]
+
+
+@pytest.mark.parametrize(("device", "least"), [("mouse", 300), ("touch", 200)])
+def test_a_square_from_nothing_is_large_at_the_end(open_studio: OpenStudio, device: str, least: int) -> None:
+    studio = open_studio(None, first_visit=True, **DEVICES[device])
+    studio.page.reload()
+    expect(studio.at("new-starter-draw-square/draw-square.krt")).to_be_checked()
+    doer = Doer(studio, device)
+    drive_a_square(doer)
+    studio.at("menu-Run").click()
+    studio.at("menu-run-as-fast").click()
+    studio.wait_until_done()
+    expect(studio.at("ending")).to_be_visible()
+    studio.page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    drawing = studio.page.evaluate(SEEN, [studio.at("arena-canvas").element_handle(), *ORANGE])
+    assert drawing["width"] >= least
+    assert drawing["inside"]
+
+
+def test_a_robot_without_music_says_which_one_has_it(open_studio: OpenStudio) -> None:
+    studio = open_studio(None, first_visit=True)
+    studio.new_mission()
+    studio.at("part-find").fill("music")
+    expect(studio.at("parts-none")).to_contain_text("micro:bit can do it")
