@@ -53,6 +53,8 @@ export interface Feature {
   sheets?: Partial<Record<keyof Overlays, ComponentType>>;
   /** What Escape closes now, or null. */
   escape?: () => (() => void) | null;
+  /** A hook: whether something of it is on that STOP would end now. */
+  useOn?: () => boolean;
   /** STOP was pressed. */
   stop?: () => void;
   /** Files were dropped on the page. */

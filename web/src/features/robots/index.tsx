@@ -71,5 +71,6 @@ export const robots: Feature = {
   slots: { tools: RunOnRobots },
   commands: { runOnRobot: runOnRobots, robots: () => showRobots(!useRobotsPanel.getState().open) },
   useMenu,
+  useOn: () => useRobotsPanel(({ running }) => running > 0),
   stop: () => useRobotsPanel.getState().stopAll?.(),
 };

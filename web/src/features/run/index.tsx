@@ -92,5 +92,6 @@ export const run: Feature = {
     faster: () => changeSpeed(1),
   },
   useMenu,
+  useOn: () => useRun(({ status }) => isLive(status)),
   stop: () => useRun.getState().stop(),
 };
