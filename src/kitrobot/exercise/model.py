@@ -21,8 +21,8 @@ class Seed:
 class Exercise:
     """An exercise; `start` is the `.krt` beside it that it begins with.
 
-    `seconds` is the simulated time that each run may take, `order` its place on the path to learn. There is at least one
-    goal and one seed that is not hidden.
+    `seconds` is the simulated time that each run may take, `order` its place on the path to learn. There is at least
+    one goal and one seed that is not hidden.
     """
 
     start: str

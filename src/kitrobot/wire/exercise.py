@@ -28,8 +28,8 @@ class ExerciseGoalShape(BaseModel):
 
 
 class ExerciseShape(BaseModel):
-    """An exercise; `start` is the mission it begins with, `order` its place on the path to learn, `seconds` how long each
-    run may take, `seeds` are those of its runs. One that cannot be used has no goals but `problems`.
+    """An exercise; `start` is the mission it begins with, `order` its place on the path to learn, `seconds` how long
+    each run may take, `seeds` are those of its runs. One that cannot be used has no goals but `problems`.
     """
 
     name: str

@@ -28,8 +28,8 @@ class TutorialStepShape(View):
 
 
 class TutorialShape(BaseModel):
-    """A tutorial; `start` is the mission it begins with, `order` its place on the path to learn. One that cannot be used
-    has no steps but `problems`.
+    """A tutorial; `start` is the mission it begins with, `order` its place on the path to learn. One that cannot be
+    used has no steps but `problems`.
     """
 
     name: str
