@@ -10,16 +10,17 @@ import type { Key } from "../i18n/words";
 import type { Overlays } from "./document";
 import type { PAGE_KEYS } from "./key-table";
 import type { Panel } from "./layout";
+import type { Lesson } from "./lesson";
 import type { MenuEntries } from "./menu-table";
 
 export type PageCommand = keyof typeof PAGE_KEYS;
 
 /**
  * Places where parts of several features stand side by side: under the head, in the toolbar, at its end, behind the tabs,
- * above and below the graph, in the bottom bar, over the page, after the page, and on top of the sheet for opening.
+ * above and below the graph, in the bottom bar, over the page, and after the page.
  */
 export type SlotName =
-  "banner" | "tools" | "status" | "tabs-end" | "above" | "below" | "bottom" | "over-page" | "after-page" | "open-lists";
+  "banner" | "tools" | "status" | "tabs-end" | "above" | "below" | "bottom" | "over-page" | "after-page";
 
 /** Places for one part at a time; `graph` is the centre, `empty-program` lies under a program without parts. */
 export type PanelPlace = Panel | "graph" | "empty-program";
@@ -61,6 +62,8 @@ export interface Feature {
   takeFiles?: (files: File[]) => void;
   /** A component that stands in place of the studio, where the page is for something else. */
   Instead?: ComponentType | null;
+  /** What it gives to the path to learn. */
+  lessons?: () => Promise<readonly Lesson[]>;
   /** Begins what goes on while the page is there; the returned function ends it. */
   start?: () => () => void;
 }

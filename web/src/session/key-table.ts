@@ -28,6 +28,7 @@ export const PAGE_KEYS = {
   faster: { chords: ["."], says: "run.faster" },
   create: { chords: ["Ctrl+Alt+N"], says: "help.keys-new", typing: true },
   open: { chords: ["Ctrl+O"], says: "help.keys-open", typing: true },
+  learn: { chords: ["Alt+L"], says: "learn.open", typing: true },
   save: { chords: ["Ctrl+S"], says: "help.keys-save", typing: true },
   saveAs: { chords: ["Ctrl+Shift+S"], says: "help.keys-save-as", typing: true },
   print: { chords: ["Ctrl+P"], says: "out.print", typing: true },
