@@ -1,21 +1,23 @@
 /** Three ways to begin, at the top of each of them: learn on a path, make something new, look at what is there. */
-import type { Key } from "../i18n/words";
-import { t } from "../i18n/words";
+import GraduationCap from "lucide-react/icons/graduation-cap";
+import Images from "lucide-react/icons/images";
+import Pencil from "lucide-react/icons/pencil";
+
+import { type Key, t } from "../i18n/words";
 import { type Overlay, show, useDocument } from "../session/document";
-import { Icon } from "../theme";
 import "./doors.css";
 
-const DOORS: readonly { sheet: Exclude<Overlay, null>; icon: string; name: Key; help: Key }[] = [
-  { sheet: "learn", icon: "graduation-cap", name: "door.learn", help: "door.learn-help" },
-  { sheet: "new", icon: "pencil", name: "door.make", help: "door.make-help" },
-  { sheet: "open", icon: "images", name: "door.look", help: "door.look-help" },
+const DOORS: readonly { sheet: Exclude<Overlay, null>; Sign: typeof Images; name: Key; help: Key }[] = [
+  { sheet: "learn", Sign: GraduationCap, name: "door.learn", help: "door.learn-help" },
+  { sheet: "new", Sign: Pencil, name: "door.make", help: "door.make-help" },
+  { sheet: "open", Sign: Images, name: "door.look", help: "door.look-help" },
 ];
 
 export function Doors() {
   const open = useDocument(({ overlay }) => overlay);
   return (
     <nav className="doors" aria-label={t("door.ways")}>
-      {DOORS.map(({ sheet, icon, name, help }) => (
+      {DOORS.map(({ sheet, Sign, name, help }) => (
         <button
           key={sheet}
           type="button"
@@ -24,7 +26,7 @@ export function Doors() {
           aria-current={open === sheet ? "page" : undefined}
           onClick={() => show(sheet)}
         >
-          <Icon name={icon} size={22} />
+          <Sign size={22} aria-hidden="true" />
           <span>
             <strong>{t(name)}</strong>
             <small>{t(help)}</small>

@@ -15,6 +15,7 @@ export const EDITOR_EN = {
   "graph.arc-body": "Arc into {name}, {slot}",
   "graph.parked": "Not connected",
   "graph.drop-here": "Drop a part here",
+  "graph.tap-here": "Tap to add a part here",
   "graph.or-press": "or press",
   "graph.zoom": "Zoom",
   "graph.zoom-in": "Zoom in",
@@ -86,6 +87,7 @@ export const EDITOR_EN = {
 
   "inspector.title": "Inspector",
   "inspector.nothing": "Nothing selected.",
+  "inspector.nothing-tap": "Tap a part to set its speed, angle or condition here.",
   "inspector.nothing-help": "Click a part to set its speed, angle or condition here.",
   "inspector.many": { one: "{count} part selected", other: "{count} parts selected" },
   "inspector.delete": "Delete",

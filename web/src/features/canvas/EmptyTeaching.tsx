@@ -8,6 +8,7 @@ import { useDocument } from "../../session/document";
 import { beginDrag, justDragged } from "../../session/drag";
 import type { Drawing } from "../../session/drawing";
 import { addPartAt } from "../../session/edits";
+import { hasCoarsePointer } from "../../ui/coarse-pointer";
 
 /** An action that shows at once, then one constructor of each colour that holds a body. */
 export function firstParts({ all }: Parts): Shape[] {
@@ -38,7 +39,7 @@ export function EmptyTeaching({ drawing }: { drawing: Drawing }) {
   return (
     <section className="teaching">
       <h2>{t("graph.first-step")}</h2>
-      <p>{t("graph.first-help")}</p>
+      <p>{t(hasCoarsePointer() ? "graph.first-tap" : "graph.first-help")}</p>
       <ul className="teaching-parts">
         {firstParts(drawing.parts).map((shape) => (
           <li key={shape.element}>

@@ -9,6 +9,7 @@ import { findSpot } from "../../model/tree";
 import { complain } from "../../session/document";
 import { useDrawing } from "../../session/drawing";
 import { Icon } from "../../theme";
+import { hasCoarsePointer } from "../../ui/coarse-pointer";
 import { later } from "../../ui/later";
 import { Tools } from "./Tools";
 
@@ -45,7 +46,7 @@ function Nothing() {
         <Icon name="mouse-pointer-2" size={18} />
         <p>
           <strong>{t("inspector.nothing")}</strong>
-          {t("inspector.nothing-help")}
+          {t(hasCoarsePointer() ? "inspector.nothing-tap" : "inspector.nothing-help")}
         </p>
       </div>
     </div>

@@ -68,12 +68,13 @@ function Steps({ tutorial, done, page }: StepProps) {
   );
 }
 
-/** One calm ring around everything that the step points at. */
-function Ring({ selector }: { selector: string }) {
+/** One calm ring around everything that the step points at; it closes in on it for who asked to be shown. */
+function Ring({ selector, shown }: { selector: string; shown: boolean }) {
   if (selector === "") return null;
+  const closing = shown ? "animation: var(--tutorial-shown);" : "";
   return (
     <style data-testid="tutorial-ring">
-      {`:root:root :is(${selector}) { outline: var(--tutorial-ring); outline-offset: var(--tutorial-ring-away); border-radius: var(--radius-inner); }`}
+      {`:root:root :is(${selector}) { outline: var(--tutorial-ring); outline-offset: var(--tutorial-ring-away); border-radius: var(--radius-inner); ${closing} }`}
     </style>
   );
 }
@@ -88,7 +89,7 @@ function StepView({ tutorial, done, page }: StepProps) {
   const points = step.points.filter((point) => selectorOf(point, page) !== "");
   return (
     <>
-      {is ? null : <Ring selector={points.map((point) => selectorOf(point, page)).join(", ")} />}
+      {is ? null : <Ring selector={points.map((point) => selectorOf(point, page)).join(", ")} shown={hinted} />}
       <div className="tutorial-words">
         <h3>{told(step.label, page)}</h3>
         <p>{told(step.help, page)}</p>
@@ -128,7 +129,15 @@ function StepView({ tutorial, done, page }: StepProps) {
       </div>
       <div className="tutorial-ways rigid">
         {is || hinted || (hint === "" && points.length === 0) ? null : (
-          <Button icon="lightbulb" testId="tutorial-show" onClick={showHint}>
+          <Button
+            icon="lightbulb"
+            testId="tutorial-show"
+            onClick={() => {
+              showHint();
+              const [first] = points;
+              if (first !== undefined) goToPoint(first, page);
+            }}
+          >
             {t("tutorial.show-me")}
           </Button>
         )}
