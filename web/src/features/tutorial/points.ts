@@ -119,6 +119,9 @@ function nameIn(braces: string, { parts }: Page): string | null {
   return found === undefined ? null : text(found.label, name);
 }
 
+/** {two|words}, also where a name in them is not known. */
+const EITHER = /\{((?:[^{}|]|\{[^{}|]*\})*)\|((?:[^{}|]|\{[^{}|]*\})*)\}/g;
+
 /**
  * A text of a tutorial, with the names of parts as the reader sees them in the palette. Of {two|words} the first is for a
  * mouse and a keyboard, the second for fingers; either may have names in it.
@@ -126,7 +129,7 @@ function nameIn(braces: string, { parts }: Page): string | null {
 export function told(texts: Texts, page: Page): string {
   const named = text(texts).replace(/\{([^{}]+)\}/g, (whole, braces: string) => nameIn(braces, page) ?? whole);
   const fingers = hasCoarsePointer();
-  return named.replace(/\{([^{}|]*)\|([^{}|]*)\}/g, (_, mouse: string, finger: string) => (fingers ? finger : mouse));
+  return named.replace(EITHER, (_, mouse: string, finger: string) => (fingers ? finger : mouse));
 }
 
 /** A point in words: "Wheel Advance in the parts". */

@@ -68,6 +68,7 @@ export function Ending({ painter }: { painter: Painter }) {
   const { tone, title, more } = accountOf(facts);
   const cause = status === "done" ? null : causeOf(run);
   const seeks = can("seek", run);
+  const saves = own && hasDrawn();
   const Sign = SIGNS[tone];
   return (
     <section className="stage-ending" data-tone={tone} data-testid="ending" aria-label={t("arena.result")} ref={card}>
@@ -89,7 +90,7 @@ export function Ending({ painter }: { painter: Painter }) {
           </p>
         )}
       </div>
-      {seeks || goesOn ? (
+      {seeks || goesOn || saves ? (
         <span className="stage-ending-ways wrap" data-next={goesOn}>
           <NextLesson testId="ending-next" />
           {!seeks || cause === null || cause.tick >= tick ? null : (
@@ -120,7 +121,7 @@ export function Ending({ painter }: { painter: Painter }) {
               <span>{t("arena.watch-again")}</span>
             </Button>
           ) : null}
-          {own && hasDrawn() ? (
+          {saves ? (
             <Button testId="ending-save-drawing" onClick={() => saveDrawing(false)}>
               <Download size={16} aria-hidden="true" />
               <span>{t("arena.save-drawing")}</span>
