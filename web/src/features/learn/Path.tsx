@@ -26,7 +26,7 @@ function Card({ lesson, learned, next, brief, onKeyDown }: CardProps) {
     <button
       type="button"
       className="learn-card surface column"
-      data-testid={`${lesson.kind}-card-${lesson.name}`}
+      data-testid={`${lesson.kind}-${brief ? "offer" : "card"}-${lesson.name}`}
       data-learned={learned}
       aria-current={next ? "step" : undefined}
       onClick={lesson.begin}

@@ -81,7 +81,7 @@ it("the doors lead to what is new and to what is there", () => {
 
 it("under an empty program stand the next ones, and nothing while a lesson is open", () => {
   open(<Invitation>examples</Invitation>);
-  expect(cards()).toEqual(["tutorial-card-a", "exercise-card-b"]);
+  expect(cards()).toEqual(["tutorial-offer-a", "exercise-offer-b"]);
   expect(page.place.textContent).toContain("examples");
   page.act(() => setOpenLesson("tutorial", { name: "a", done: false }));
   expect(page.place.textContent).toBe("");
