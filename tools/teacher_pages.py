@@ -15,7 +15,8 @@ from kitrobot.tutorial.model import Tutorial
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "docs" / "teachers"
-_NAMES = re.compile(r"\{([^{}]+)\}")
+_NAMES = re.compile(r"\{([^{}|]+)\}")
+_EITHER = re.compile(r"\{([^{}|]*)\|[^{}|]*\}")
 
 
 def pages() -> dict[str, str]:
@@ -54,7 +55,8 @@ def _page(tutorial: Tutorial) -> str:
     lines = [f"# {tutorial.label['']}", "", tutorial.help[""], ""]
     lines += [f"**Aim.** {page.aim['']}", "", f"**Time.** {page.minutes} minutes.", "", "## Steps", ""]
     for number, step in enumerate(tutorial.steps, 1):
-        lines.append(f"{number}. **{step.label['']}.** {_NAMES.sub(_plain, step.help[''])}")
+        words = _EITHER.sub(r"\1", _NAMES.sub(_plain, step.help[""]))
+        lines.append(f"{number}. **{step.label['']}.** {words}")
     for title, texts in (("What goes wrong", page.troubles), ("Questions for afterwards", page.questions)):
         lines += ["", f"## {title}", "", *(f"- {text['']}" for text in texts)]
     return "\n".join([*lines, ""])

@@ -11,7 +11,7 @@ import type { Exercise } from "../../api/generated";
 import { useStudio } from "../../model/studio";
 import type { Mission } from "../../model/types";
 import { complain, show } from "../../session/document";
-import { openPath } from "../../session/open-requests";
+import { openMissionOfLesson } from "../../session/open-requests";
 import { isLive, useRun } from "../../session/run";
 import { setOpenLesson } from "../../session/lessons";
 import { type Mark, noMarks, pieces, withVerdicts } from "./marks";
@@ -73,7 +73,7 @@ export function begin(exercise: Exercise): void {
   show(null);
   reset();
   remember({ name: exercise.name, path: exercise.start });
-  if (useStudio.getState().file.path !== exercise.start) openPath(exercise.start);
+  if (useStudio.getState().file.path !== exercise.start) openMissionOfLesson(exercise.start);
 }
 
 export function leave(): void {
