@@ -9,16 +9,7 @@ import { text } from "../../model/texts";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
-import {
-  isHeldByRobots,
-  judgeAll,
-  keepExercise,
-  leave,
-  openExercise,
-  play,
-  stopJudging,
-  useExercise,
-} from "./judging";
+import { isHeldByRobots, judgeAll, keepExercise, leave, openExercise, play, stopJudging, useExercise } from "./judging";
 import { type Mark, OPEN } from "./marks";
 import { useOpenExercise } from "../../session/open-exercise";
 import "./exercise.css";

@@ -38,12 +38,7 @@ export function Card({ entry, choose, brief = false, plays = false, onKeyDown }:
       onFocus={() => setNear(true)}
       onBlur={() => setNear(false)}
     >
-      <MissionPicture
-        className="card-picture"
-        path={entry.path}
-        modified={entry.modified}
-        plays={plays || near}
-      />
+      <MissionPicture className="card-picture" path={entry.path} modified={entry.modified} plays={plays || near} />
       <strong>{text(entry.label, entry.title || entry.name)}</strong>
       <small>{brief ? sizeWords(entry) : text(entry.help)}</small>
     </button>

@@ -17,10 +17,13 @@ let hands: Hands;
 let end: () => void;
 
 beforeEach(async () => {
-  vi.stubGlobal("IntersectionObserver", class {
-    observe = vi.fn();
-    disconnect = vi.fn();
-  });
+  vi.stubGlobal(
+    "IntersectionObserver",
+    class {
+      observe = vi.fn();
+      disconnect = vi.fn();
+    },
+  );
   await moreWords();
   begin.mockClear();
   end = await setPath(

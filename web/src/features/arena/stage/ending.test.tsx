@@ -19,10 +19,13 @@ let hands: Hands;
 let end: () => void;
 
 beforeEach(async () => {
-  vi.stubGlobal("ResizeObserver", class {
-    observe = vi.fn();
-    disconnect = vi.fn();
-  });
+  vi.stubGlobal(
+    "ResizeObserver",
+    class {
+      observe = vi.fn();
+      disconnect = vi.fn();
+    },
+  );
   await moreWords();
   end = await setPath(lesson("a", 1), lesson("b", 2, { begin }));
   useRun.setState({ ...begun, status: "done", sentence: "Done.", name: "run-1" });
