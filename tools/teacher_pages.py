@@ -15,7 +15,8 @@ from kitrobot.tutorial.model import Tutorial
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "docs" / "teachers"
-_NAMES = re.compile(r"\{([^{}]+)\}")
+_NAMES = re.compile(r"\{([^{}|]+)\}")
+_EITHER = re.compile(r"\{([^{}|]*)\|[^{}|]*\}")
 
 
 def pages() -> dict[str, str]:
@@ -36,7 +37,7 @@ def _list(tutorials: dict[str, Tutorial]) -> str:
         "# For teachers",
         "",
         "A page for each tutorial: its aim, how long it takes, what goes wrong, and what to ask afterwards. The studio",
-        "shows the same, in English, French and Urdu, under the tutorial's card in *File → Open*.",
+        "shows the same, in English, French and Urdu, under the tutorial's card in *Help → Learn step by step*.",
         "",
         "| tutorial | minutes | aim |",
         "|---|---|---|",
@@ -54,7 +55,8 @@ def _page(tutorial: Tutorial) -> str:
     lines = [f"# {tutorial.label['']}", "", tutorial.help[""], ""]
     lines += [f"**Aim.** {page.aim['']}", "", f"**Time.** {page.minutes} minutes.", "", "## Steps", ""]
     for number, step in enumerate(tutorial.steps, 1):
-        lines.append(f"{number}. **{step.label['']}.** {_NAMES.sub(_plain, step.help[''])}")
+        words = _EITHER.sub(r"\1", _NAMES.sub(_plain, step.help[""]))
+        lines.append(f"{number}. **{step.label['']}.** {words}")
     for title, texts in (("What goes wrong", page.troubles), ("Questions for afterwards", page.questions)):
         lines += ["", f"## {title}", "", *(f"- {text['']}" for text in texts)]
     return "\n".join([*lines, ""])

@@ -90,9 +90,8 @@ FIRST_HOUR: list[Screen] = [
     ("nothing yet", (go_on_without_saving,), "first-place"),
     ("a part is added", ("vertex-start", "key /"), "add-find"),
     ("gallery", (open_gallery_at(1),), "gallery-count"),
-    ("tutorials", (open_gallery_at(2),), "gallery-count"),
-    ("exercises", (open_gallery_at(3),), "gallery-count"),
-    ("an exercise", ("key Control+o", EXERCISE), "exercise"),
+    ("the path to learn", ("key Alt+l",), "learn-count"),
+    ("an exercise", ("key Alt+l", EXERCISE), "exercise"),
     ("a tutorial", ("exercise-leave", "menu-Help", TUTORIAL), "tutorial"),
 ]
 """The same of what somebody meets first, on a mission that draws."""

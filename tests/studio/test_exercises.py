@@ -24,7 +24,7 @@ STOPPED_AT_ONCE = """async () => {
 def test_an_exercise_is_opened_judged_and_what_went_wrong_is_watched(open_studio) -> None:
     studio = open_studio("transport/transport.krt")
     page = studio.page
-    page.keyboard.press("Control+o")
+    page.keyboard.press("Alt+l")
     studio.at(JAM).scroll_into_view_if_needed()
     shot(page, "gallery")
     studio.at(JAM).click()
@@ -51,6 +51,39 @@ def test_an_exercise_is_opened_judged_and_what_went_wrong_is_watched(open_studio
     expect(studio.at("exercise-basis")).to_contain_text("After the run with seed 1", timeout=1000 * PATIENCE_S)
     studio.at("exercise-leave").click()
     expect(studio.at("exercise")).to_have_count(0)
+
+
+def test_the_path_leads_from_one_lesson_to_the_next(open_studio) -> None:
+    studio = open_studio(None)
+    page = studio.page
+    expect(studio.at("team-stop")).to_have_attribute("data-on", "false")
+    page.keyboard.press("Alt+l")
+    expect(studio.at("learn-count")).to_have_text("0 of 23 done")
+    shot(page, "path")
+    studio.at("exercise-card-example:exercises/01-first-drive.exercise.xml").click()
+    expect(studio.at("exercise")).to_be_focused()
+    studio.edit_code()
+    page.keyboard.press("Control+a")
+    page.keyboard.insert_text("Wheel.DriveBy(80);")
+    studio.expect_code("Wheel.DriveBy(80);")
+    page.keyboard.press("Escape")
+    page.keyboard.press("F5")
+    expect(studio.at("team-stop")).to_have_attribute("data-on", "true")
+    expect(studio.at("ending-next")).to_have_text("Next: Round the corner", timeout=1000 * PATIENCE_S)
+    expect(studio.at("team-stop")).to_have_attribute("data-on", "false")
+    expect(studio.at("exercise-next")).to_have_text("Next: Round the corner")
+    shot(page, "solved")
+    find_nothing(studio, "an exercise that is solved")
+    studio.at("exercise-next").press("Enter")
+    # What was edited is kept without a question, and comes back with its exercise.
+    expect(studio.at("exercise")).to_contain_text("First over the green field")
+    expect(studio.at("banner")).to_have_count(0)
+    page.keyboard.press("Alt+l")
+    expect(studio.at("learn-count")).to_have_text("1 of 23 done")
+    expect(studio.at("learn-next")).to_have_text("Next: First steps")
+    shot(page, "ticked")
+    studio.at("exercise-card-example:exercises/01-first-drive.exercise.xml").click()
+    studio.expect_code("Wheel.DriveBy(80);")
 
 
 def shot(page: Page, name: str) -> None:

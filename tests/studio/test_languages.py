@@ -219,7 +219,7 @@ def the_team(studio: Studio, language: str) -> None:
 
 
 def a_tutorial(studio: Studio, language: str) -> None:
-    studio.page.keyboard.press("Control+o")
+    studio.page.keyboard.press("Alt+l")
     studio.page.locator('[data-testid^="tutorial-card-"]').first.click()
     expect(studio.at("tutorial")).to_be_visible()
     meets_no_english(studio, language, "the first step of a tutorial")

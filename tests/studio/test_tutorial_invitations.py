@@ -21,7 +21,7 @@ def test_a_tutorial_in_the_folder_appears_and_one_with_a_mistake_says_which(open
     shutil.copy(EXAMPLES / "tutorials" / "first-steps" / "first-steps.krt", studio.folder / "x.krt")
     (studio.folder / "mine.tutorial.xml").write_text(mine, encoding="utf-8")
     (studio.folder / "bad.tutorial.xml").write_text(mine.replace("<step>", "<stop>", 1), encoding="utf-8")
-    studio.page.keyboard.press("Control+o")
+    studio.page.keyboard.press("Alt+l")
     bad = studio.at("tutorial-card-bad.tutorial.xml")
     expect(bad).to_contain_text("This tutorial cannot be used:")
     expect(bad).to_contain_text("<stop>")
@@ -36,11 +36,11 @@ def test_a_tutorial_in_the_folder_appears_and_one_with_a_mistake_says_which(open
 def test_an_empty_program_invites_to_a_tutorial(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     studio.new_mission()
-    cards = studio.page.locator(".teaching .tutorial-card")
+    cards = studio.page.locator(".teaching .learn-card")
     expect(cards).to_have_count(4)
     cards.first.click()
     at_step(studio, 1)
-    expect(studio.page.locator(".teaching .tutorial-card")).to_have_count(0)
+    expect(studio.page.locator(".teaching .learn-card")).to_have_count(0)
 
 
 def test_a_newcomer_is_welcomed_once(open_studio: OpenStudio) -> None:

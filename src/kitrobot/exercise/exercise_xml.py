@@ -75,7 +75,8 @@ def read_exercise(data: bytes, name: str) -> tuple[Exercise | None, list[Diagnos
     if root.faulty:
         return None, reader.diagnostics
     label, help = root.texts.get("label", {}), root.texts.get("help", {})
-    return Exercise(start, label, help, icon, seconds, tuple(goals), tuple(seeds)), reader.diagnostics
+    order = root.integer("order")
+    return Exercise(start, label, help, icon, seconds, tuple(goals), tuple(seeds), order), reader.diagnostics
 
 
 def _goal(kind: Callable[..., Goal], own: dict[str, Attribute]) -> Callable[[Element], Goal]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from kitrobot.exercise.goals import Goal
 from kitrobot.primitives.robot import Texts
+from kitrobot.xml.lessons import LAST
 
 
 @dataclass(frozen=True)
@@ -20,7 +21,8 @@ class Seed:
 class Exercise:
     """An exercise; `start` is the `.krt` beside it that it begins with.
 
-    `seconds` is the simulated time that each run may take. There is at least one goal and one seed that is not hidden.
+    `seconds` is the simulated time that each run may take, `order` its place on the path to learn. There is at least
+    one goal and one seed that is not hidden.
     """
 
     start: str
@@ -30,6 +32,7 @@ class Exercise:
     seconds: float
     goals: tuple[Goal, ...]
     seeds: tuple[Seed, ...]
+    order: int = LAST
 
     def goals_for(self, hidden: bool) -> tuple[Goal, ...]:
         """The goals that are judged: with or without the hidden ones."""

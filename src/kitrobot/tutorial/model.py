@@ -13,6 +13,7 @@ from typing import Literal
 
 from kitrobot.lll.tree import Condition, Failure, Instr, Seq
 from kitrobot.primitives.robot import Texts
+from kitrobot.xml.lessons import LAST
 
 EVENTS = (
     "run-started",
@@ -35,9 +36,6 @@ was edited. In a team's
 run: a member waits for others; a robot failed; another one took over for it; the team goes on without one; the list of
 the members was open while one is missed. The projection of the team's program was shown.
 """
-
-LAST = 1000
-"""The order of a tutorial that says none."""
 
 Range = tuple[int, int]
 PointKind = Literal["part", "vertex", "button", "panel", "program", "group"]
@@ -119,7 +117,7 @@ class TeacherPage:
 
 @dataclass(frozen=True)
 class Tutorial:
-    """A tutorial; `start` is the `.krt` beside it that it begins with, `order` its place among those of a folder."""
+    """A tutorial; `start` is the `.krt` beside it that it begins with, `order` its place on the path to learn."""
 
     start: str
     label: Texts

@@ -21,7 +21,6 @@ from kitrobot.text.sentences import Sentence, Series, Word
 from kitrobot.tutorial import rules
 from kitrobot.tutorial.model import (
     EVENTS,
-    LAST,
     GroupWant,
     Pattern,
     Point,
@@ -311,7 +310,7 @@ TUTORIAL = {
     "tutorial": lesson_tag(
         VERSION,
         {"step": _STEP, "teacher": _TEACHER},
-        {"order": optional(whole(0, LAST), str(LAST), about="Its place among the tutorials of a folder.")},
+        {},
         about="A tutorial: steps, and what a program has to be like so that each is done.",
     )
 }

@@ -14,6 +14,7 @@ from kitrobot.wire.problem import ProblemShape, problem_shapes
 from kitrobot.wire.sentences import Spoken
 from kitrobot.wire.values import View
 from kitrobot.workspace.exercises import FoundExercise
+from kitrobot.xml.lessons import LAST
 
 GoalKind = Literal["program", "run", "check"]
 JudgingName = Annotated[str, Field(max_length=100)]
@@ -27,8 +28,8 @@ class ExerciseGoalShape(BaseModel):
 
 
 class ExerciseShape(BaseModel):
-    """An exercise; `start` is the mission it begins with, `seconds` how long each run may take, `seeds` are those of
-    its runs. One that cannot be used has no goals but `problems`.
+    """An exercise; `start` is the mission it begins with, `order` its place on the path to learn, `seconds` how long
+    each run may take, `seeds` are those of its runs. One that cannot be used has no goals but `problems`.
     """
 
     name: str
@@ -36,6 +37,7 @@ class ExerciseShape(BaseModel):
     label: dict[str, str]
     help: dict[str, str]
     icon: str
+    order: int
     seconds: float
     seeds: list[int]
     goals: list[ExerciseGoalShape]
@@ -87,6 +89,7 @@ def exercise_shape(found: FoundExercise) -> ExerciseShape:
         label=dict(exercise.label) if exercise is not None else {},
         help=dict(exercise.help) if exercise is not None else {},
         icon=exercise.icon if exercise is not None else "",
+        order=exercise.order if exercise is not None else LAST,
         seconds=exercise.seconds if exercise is not None else 0.0,
         seeds=list(exercise.seeds_for(hidden=False)) if exercise is not None else [],
         goals=[ExerciseGoalShape(label=dict(goal.label), kind=_kind(goal)) for goal in goals],

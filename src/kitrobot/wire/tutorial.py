@@ -11,6 +11,7 @@ from kitrobot.wire.mission import MissionShape
 from kitrobot.wire.problem import ProblemShape, problem_shapes
 from kitrobot.wire.values import PointValue, View, WireFields
 from kitrobot.workspace.tutorials import FoundTutorial
+from kitrobot.xml.lessons import LAST
 
 TeacherPageValue = Annotated[TeacherPage, WireFields()]
 
@@ -27,13 +28,16 @@ class TutorialStepShape(View):
 
 
 class TutorialShape(BaseModel):
-    """A tutorial; `start` is the mission it begins with. One that cannot be used has no steps but `problems`."""
+    """A tutorial; `start` is the mission it begins with, `order` its place on the path to learn. One that cannot be
+    used has no steps but `problems`.
+    """
 
     name: str
     start: str
     label: dict[str, str]
     help: dict[str, str]
     icon: str
+    order: int
     steps: list[TutorialStepShape]
     teacher: TeacherPageValue | None
     problems: list[ProblemShape]
@@ -62,6 +66,7 @@ def tutorial_shape(found: FoundTutorial) -> TutorialShape:
         label=dict(tutorial.label) if tutorial is not None else {},
         help=dict(tutorial.help) if tutorial is not None else {},
         icon=tutorial.icon if tutorial is not None else "",
+        order=tutorial.order if tutorial is not None else LAST,
         steps=[TutorialStepShape.model_validate(step) for step in (tutorial.steps if tutorial is not None else ())],
         teacher=tutorial.teacher if tutorial is not None else None,
         problems=problem_shapes(found.problems),

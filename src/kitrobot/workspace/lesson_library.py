@@ -15,9 +15,10 @@ from typing import Generic, Protocol, TypeVar
 
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Place, Rule
 from kitrobot.files.disk import UNREADABLE, FileError, read_bytes
-from kitrobot.files.folder import RENAME, MissionFolder
+from kitrobot.files.folder import EXAMPLE, RENAME, MissionFolder
 from kitrobot.files.listing import NAME_NO_TEXT, name_as_text
 from kitrobot.text.sentences import Sentence
+from kitrobot.xml.lessons import LAST
 
 MOST_CACHED = 200
 """Parsed lessons of one kind that are cached."""
@@ -33,6 +34,10 @@ class Lesson(Protocol):
     @property
     def start(self) -> str:
         """The `.krt` beside it."""
+
+    @property
+    def order(self) -> int:
+        """Its place on the path to learn, 0 to `LAST`."""
 
 
 L = TypeVar("L", bound=Lesson)
@@ -74,8 +79,8 @@ class LessonLibrary(Generic[L]):
         self._cache: dict[str, tuple[_Stamp, FoundLesson[L]]] = {}
 
     def all(self) -> list[FoundLesson[L]]:
-        """Every one: those that come with KitRobot, then those of the folder."""
-        return [self._listed(name) for name in self._kind.names(self._folder)]
+        """Every one: those that come with KitRobot, then those of the folder; both in their order, then by path."""
+        return sorted((self._listed(name) for name in self._kind.names(self._folder)), key=_place)
 
     def _listed(self, name: str) -> FoundLesson[L]:
         """One of the list: what cannot be used says why, and the others are there all the same."""
@@ -142,6 +147,10 @@ class LessonLibrary(Generic[L]):
         help = Sentence("put the mission that it begins with there")
         problem = self._kind.no_start(words, Place(found.name), help=help)
         return _broken(found.name, [*found.problems, problem])
+
+
+def _place(found: FoundLesson[L]) -> tuple[bool, int, str]:
+    return not found.name.startswith(EXAMPLE), found.lesson.order if found.lesson is not None else LAST, found.name
 
 
 def _broken(name: str, problems: Sequence[Diagnostic]) -> FoundLesson[L]:

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 from kitrobot.compiler.graph.graph_to_lll import graph_to_lll
-from kitrobot.files.folder import EXAMPLE, TUTORIAL_ENDING, MissionFolder
+from kitrobot.files.folder import TUTORIAL_ENDING, MissionFolder
 from kitrobot.mission.model import Mission
 from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.text.sentences import Sentence
-from kitrobot.tutorial.model import LAST, Tutorial
+from kitrobot.tutorial.model import Tutorial
 from kitrobot.tutorial.pattern_matcher import steps_fit
 from kitrobot.tutorial.rules import START
 from kitrobot.tutorial.tutorial_xml import read_tutorial
@@ -31,14 +31,6 @@ class Tutorials(LessonLibrary[Tutorial]):
 
     def __init__(self, folder: MissionFolder) -> None:
         super().__init__(folder, _KIND)
-
-    def all(self) -> list[FoundTutorial]:
-        """Those that come with KitRobot, then those of the folder; each of them in their order, then by path."""
-        return sorted(super().all(), key=_place)
-
-
-def _place(found: FoundTutorial) -> tuple[bool, int, str]:
-    return not found.name.startswith(EXAMPLE), found.lesson.order if found.lesson is not None else LAST, found.name
 
 
 def watched(tutorial: Tutorial, mission: Mission, catalogue: Catalogue) -> list[bool]:

@@ -11,9 +11,12 @@ from typing import Final
 
 from kitrobot.diagnostics.model import Rule
 from kitrobot.text.sentences import Sentence
-from kitrobot.xml.attributes import ICON, Attribute, Kind, needed, optional, version
+from kitrobot.xml.attributes import ICON, Attribute, Kind, needed, optional, version, whole
 from kitrobot.xml.element import LONGEST_NAME, Element, Tag
 from kitrobot.xml.texts import TEXTS
+
+LAST: Final = 1000
+"""The order of a lesson that says none."""
 
 _START: Final = re.compile(r"""[^\\/:*?"<>|\x00-\x1f]+\.krt""", re.IGNORECASE)
 _MISSION_NAME: Final = Kind(
@@ -30,6 +33,7 @@ def lesson_tag(newest: int, children: Mapping[str, Tag], more: Mapping[str, Attr
         "version": version(newest),
         "start": needed(_MISSION_NAME, about="The mission to begin with, in the same folder."),
         "icon": optional(ICON),
+        "order": optional(whole(0, LAST), str(LAST), about="Its place on the path to learn, among those of a folder."),
     }
     return Tag(
         None,

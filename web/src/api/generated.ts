@@ -704,8 +704,8 @@ export interface Example {
 }
 
 /**
- * An exercise; `start` is the mission it begins with, `seconds` how long each run may take, `seeds` are those of its
- * runs. One that cannot be used has no goals but `problems`.
+ * An exercise; `start` is the mission it begins with, `order` its place on the path to learn, `seconds` how long each
+ * run may take, `seeds` are those of its runs. One that cannot be used has no goals but `problems`.
  */
 export interface Exercise {
   name: string;
@@ -713,6 +713,7 @@ export interface Exercise {
   label: Record<string, string>;
   help: Record<string, string>;
   icon: string;
+  order: number;
   seconds: number;
   seeds: number[];
   goals: ExerciseGoal[];
@@ -2250,13 +2251,17 @@ export interface TurnMessage {
   yes: boolean;
 }
 
-/** A tutorial; `start` is the mission it begins with. One that cannot be used has no steps but `problems`. */
+/**
+ * A tutorial; `start` is the mission it begins with, `order` its place on the path to learn. One that cannot be used
+ * has no steps but `problems`.
+ */
 export interface Tutorial {
   name: string;
   start: string;
   label: Record<string, string>;
   help: Record<string, string>;
   icon: string;
+  order: number;
   steps: TutorialStep[];
   teacher: TeacherPage | null;
   problems: Problem[];

@@ -8,7 +8,7 @@ import { useRef } from "react";
 import { Slot } from "../components/Slot";
 import { t } from "../i18n/words";
 import { useStudio } from "../model/studio";
-import { STOP_KEY, stopEverything } from "../session/features";
+import { features, STOP_KEY, stopEverything } from "../session/features";
 import { keyFor } from "../session/key-table";
 import { Icon } from "../theme";
 import { useFolding } from "../ui/folding";
@@ -72,12 +72,19 @@ export function Toolbar({ menus }: { menus: MenuPart[] }) {
   );
 }
 
-/** The one red thing: ends the run and with it every robot of the team, from anywhere. */
+/**
+ * Ends the run and with it every robot of the team, from anywhere. It is the one red thing while something runs, and quiet
+ * before; it can be pressed at any time, since a board may run that this page does not know of.
+ */
 export function TeamStop() {
+  // The list of features never changes, so neither does the order of their hooks.
+  // eslint-disable-next-line react-hooks/rules-of-hooks
+  const on = features().map(({ useOn }) => useOn?.() ?? false);
   return (
     <button
       type="button"
       className="team-stop row"
+      data-on={on.includes(true)}
       data-testid="team-stop"
       title={`${t("stop.label")} (${keyFor.page(STOP_KEY)})`}
       onClick={stopEverything}

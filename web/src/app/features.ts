@@ -17,6 +17,7 @@ import { exporting } from "../features/export";
 import { gallery } from "../features/gallery";
 import { importFiles } from "../features/import-files";
 import { inspector } from "../features/inspector";
+import { learn } from "../features/learn";
 import { newMission } from "../features/new-mission";
 import { palette } from "../features/palette";
 import { problems } from "../features/problems";
@@ -46,6 +47,7 @@ export const FEATURES: readonly Feature[] = [
   world,
   newMission,
   gallery,
+  learn,
   tutorial,
   exercise,
   classroom,

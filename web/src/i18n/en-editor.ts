@@ -15,7 +15,7 @@ export const EDITOR_EN = {
   "graph.arc-body": "Arc into {name}, {slot}",
   "graph.parked": "Not connected",
   "graph.drop-here": "Drop a part here",
-  "graph.or-tap": "or tap",
+  "graph.tap-here": "Tap to add a part here",
   "graph.or-press": "or press",
   "graph.zoom": "Zoom",
   "graph.zoom-in": "Zoom in",

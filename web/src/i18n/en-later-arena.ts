@@ -44,6 +44,7 @@ export const ARENA_EN = {
   "account.goals": { one: "{reached} of {count} goal.", other: "{reached} of {count} goals." },
   "arena.cause": "Before that, at {time}:",
   "arena.go-to-cause": "Go to the cause",
+  "arena.save-drawing": "Save the drawing",
   "arena.watch-again": "Watch again",
   "arena.close-result": "Close the result",
 };

@@ -2,6 +2,7 @@
 import { ARENA_EN } from "./en-later-arena";
 import { CHECK_EN } from "./en-later-check";
 import { CLASS_EN } from "./en-later-class";
+import { LEARN_EN } from "./en-later-learn";
 import { LATER_TEAM_EN } from "./en-later-team";
 import { NEW_EN } from "./en-later-new";
 import { FIELDS_EN } from "./en-later-fields";
@@ -15,6 +16,7 @@ import { SITE_EN } from "./en-later-site";
 
 export const LATER_EN = {
   ...ARENA_EN,
+  ...LEARN_EN,
   ...LATER_TEAM_EN,
   ...CHECK_EN,
   ...CLASS_EN,
@@ -45,7 +47,6 @@ export const LATER_EN = {
   "merge.no-base": "What both began with is not known any more, so they cannot be merged.",
 
   ...SITE_EN,
-  "exercise.title": "Exercises",
   "exercise.count": { one: "{count} goal", other: "{count} goals" },
   "exercise.broken": "This exercise cannot be used.",
   "exercise.of": "Exercise: {name}",
@@ -164,17 +165,14 @@ export const LATER_EN = {
   "tutorial.leave": "Leave the tutorial",
   "tutorial.again": "Begin again",
   "tutorial.finished": "That was {name}. Well done!",
-  "tutorial.finished-help": "Keep the program and change it as you like, or take the next tutorial.",
-  "tutorial.next-one": "Next: {name}",
+  "tutorial.finished-help": "Keep the program and change it as you like, or go on.",
   "tutorial.teachers": { one: "For teachers: {count} minute", other: "For teachers: {count} minutes" },
   "tutorial.troubles": "What goes wrong",
   "tutorial.questions": "Questions for afterwards",
   "tutorial.left-over": "You are at the end. Some steps are still open.",
   "tutorial.count": { one: "{count} step", other: "{count} steps" },
   "tutorial.at": "step {number} of {total}",
-  "tutorial.all-done": "done",
   "tutorial.broken": "This tutorial cannot be used:",
-  "tutorial.invite": "Or let a tutorial show you how",
 
   "sweep.title": "Fail each robot",
   "sweep.close": "Close the map of failures",

@@ -10,14 +10,15 @@ import type { Key } from "../i18n/words";
 import type { Overlays } from "./document";
 import type { KeyRow, KeyTable, PageKey } from "./key-table";
 import type { Panel } from "./layout";
+import type { Lesson } from "./lesson";
 import type { MenuEntries } from "./menu-table";
 
 /**
  * Places where parts of several features stand side by side: under the head, in the toolbar, at its end, behind the tabs,
- * above and below the graph, in the bottom bar, over the page, after the page, and on top of the sheet for opening.
+ * above and below the graph, in the bottom bar, over the page, and after the page.
  */
 export type SlotName =
-  "banner" | "tools" | "status" | "tabs-end" | "above" | "below" | "bottom" | "over-page" | "after-page" | "open-lists";
+  "banner" | "tools" | "status" | "tabs-end" | "above" | "below" | "bottom" | "over-page" | "after-page";
 
 /** Places for one part at a time; `graph` is the centre, `empty-program` lies under a program without parts. */
 export type PanelPlace = Panel | "graph" | "empty-program";
@@ -57,12 +58,16 @@ export interface Feature {
   sheets?: Partial<Record<keyof Overlays, ComponentType>>;
   /** What Escape closes now, or null. */
   escape?: () => (() => void) | null;
+  /** A hook: whether something of it is on that STOP would end now. */
+  useOn?: () => boolean;
   /** STOP was pressed. */
   stop?: () => void;
   /** Files were dropped on the page. */
   takeFiles?: (files: File[]) => void;
   /** A component that stands in place of the studio, where the page is for something else. */
   Instead?: ComponentType | null;
+  /** What it gives to the path to learn. */
+  lessons?: () => Promise<readonly Lesson[]>;
   /** Begins what goes on while the page is there; the returned function ends it. */
   start?: () => () => void;
 }

@@ -10,6 +10,7 @@ import { useStudio } from "../model/studio";
 import type { MissionFile } from "../model/types";
 import { asMissionPath, complain, fileName, ask, question, shownName, useDocument } from "./document";
 import { flush, isKept } from "./journal";
+import { openLesson, useLessons } from "./lessons";
 import { bringMission, bringRecording, takeLeft, whileOpening } from "./opening";
 import { isRecording } from "./recordings";
 import { save } from "./saving";
@@ -50,8 +51,8 @@ function unlessUnsaved(go: () => Promise<boolean>, path = ""): void {
   );
 }
 
-/** Goes on from unsaved work that is in the journal, and says where it is; asks once more when it is not there. */
-async function leave(go: () => Promise<boolean>, name: string): Promise<void> {
+/** Goes on from unsaved work that is in the journal, and says where it is; asks when it is not there. */
+async function leave(go: () => Promise<boolean>, name: string, says = true): Promise<void> {
   await flush();
   if (!isKept()) {
     ask(t("journal.not-kept", { name }), [
@@ -61,7 +62,7 @@ async function leave(go: () => Promise<boolean>, name: string): Promise<void> {
     ]);
     return;
   }
-  if (!(await go()) || useDocument.getState().banner !== null) return;
+  if (!(await go()) || !says || useDocument.getState().banner !== null) return;
   question(t("journal.left", { name }), [], "note", t("journal.left-help"));
 }
 
@@ -109,6 +110,18 @@ export function openPath(path: string): void {
   const go = () =>
     isRecording(path) ? bringRecording(() => traceApi.open(path)) : bringMission(() => api.mission(path));
   unlessUnsaved(go, path);
+}
+
+/**
+ * Opens the mission of a lesson. From an included lesson it goes on without a question: what was done there cannot be saved in
+ * its place, is in the journal, and comes back with it.
+ */
+export function openMissionOfLesson(path: string): void {
+  const { dirty, file } = useStudio.getState();
+  const fromLesson = openLesson(useLessons.getState()) !== null && file.path.startsWith("example:");
+  if (useBeginning.getState().beginning === null && dirty && fromLesson && file.path !== path) {
+    void leave(() => bringMission(() => api.mission(path)), fileName(), false);
+  } else openPath(path);
 }
 
 /** Opens a file that the person chose or dropped; it has no place on our disk until it is saved. */

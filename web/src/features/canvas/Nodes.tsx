@@ -1,7 +1,6 @@
 /** The vertices of the graph. Each takes its place and size from the layout. */
 import { memo, useMemo } from "react";
 
-import { handKey, pointsByTouch } from "../../i18n/touch";
 import { t } from "../../i18n/words";
 import type { Layout, LayoutNode } from "../../model/layout";
 import type { Block } from "../../model/structure";
@@ -18,6 +17,7 @@ import { boxInside, type Part } from "./part";
 import { PlainNode } from "./Plain";
 import { ChipView, selectVertex, Vertex } from "./Vertex";
 import { waitedVertices } from "./waiting";
+import { hasCoarsePointer } from "../../ui/coarse-pointer";
 
 /** Those that stand in a part of the graph; `plain` as they are looked at from far away. */
 export function Nodes({ layout, part, plain }: { layout: Layout; part: Part; plain: boolean }) {
@@ -164,6 +164,8 @@ function Loose({ node }: { node: LayoutNode }) {
 /** The dashed place on the only arc of a new program, and in an empty body. */
 function FirstPlace({ node: { id, colour, w, h } }: { node: LayoutNode }) {
   const isFirst = id === "place";
+  const fingers = hasCoarsePointer();
+  const first = fingers ? "graph.tap-here" : "graph.drop-here";
   const aimed = useDrag((state) => state.target?.key === `arc:${isFirst ? "start.next" : id}`);
   return (
     <button
@@ -180,9 +182,13 @@ function FirstPlace({ node: { id, colour, w, h } }: { node: LayoutNode }) {
       }}
     >
       <Icon name="plus" size={16} />
-      <strong>{t(isFirst ? "graph.drop-here" : colour === "loop" ? "graph.drop-repeats" : "graph.drop-inside")}</strong>
-      <span>{t(handKey("graph.or-press"))}</span>
-      {pointsByTouch() ? null : <kbd>/</kbd>}
+      <strong>{t(isFirst ? first : colour === "loop" ? "graph.drop-repeats" : "graph.drop-inside")}</strong>
+      {fingers ? null : (
+        <>
+          <span>{t("graph.or-press")}</span>
+          <kbd>/</kbd>
+        </>
+      )}
     </button>
   );
 }

@@ -10,6 +10,7 @@ import { type Camera, type CanvasCamera, createCamera, type Size, useCamera, zoo
 import { afterResize, homeOf, LEAST_READABLE, type Whole, wholeOf } from "./home";
 import { spotOfArc } from "./Lines";
 import { leastZoom, MOST_ZOOM } from "./zoom-range";
+import { hasCoarsePointer } from "../../ui/coarse-pointer";
 
 const MARGIN = 48;
 /** A small selection does not fill the canvas. */
@@ -47,7 +48,7 @@ function roomNow(): Size {
 
 /** How small a program may open: readable, and with fingers everything that is pressed keeps its 44 px. */
 function leastAtFirst(): number {
-  return matchMedia("(pointer: coarse)").matches ? 1 : LEAST_READABLE;
+  return hasCoarsePointer() ? 1 : LEAST_READABLE;
 }
 
 /** The camera with which a canvas begins. */

@@ -1,7 +1,7 @@
-/** The checklist of the exercise that is open, docked above the graph; and all exercises as cards, for opening. */
+/** The checklist of the exercise that is open, docked above the graph. */
 import { useEffect, useRef } from "react";
 
-import type { Exercise } from "../../api/generated";
+import { NextLesson } from "../../components/NextLesson";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
@@ -9,18 +9,7 @@ import { text } from "../../model/texts";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
-import {
-  begin,
-  isHeldByRobots,
-  judgeAll,
-  keepExercise,
-  leave,
-  lookForExercises,
-  openExercise,
-  play,
-  stopJudging,
-  useExercise,
-} from "./judging";
+import { isHeldByRobots, judgeAll, keepExercise, leave, openExercise, play, stopJudging, useExercise } from "./judging";
 import { type Mark, OPEN } from "./marks";
 import { useOpenExercise } from "../../session/open-exercise";
 import { isShown } from "../../session/simple-view";
@@ -135,58 +124,7 @@ export function ExercisePanel() {
       <p className="exercise-basis muted small-text" role="status" data-testid="exercise-basis">
         {said}
       </p>
-    </section>
-  );
-}
-
-function Card({ exercise }: { exercise: Exercise }) {
-  return (
-    <button
-      type="button"
-      className="exercise-card row"
-      data-testid={`exercise-card-${exercise.name}`}
-      onClick={() => {
-        begin(exercise);
-      }}
-    >
-      <Icon name={exercise.icon} size={20} />
-      <span>
-        <strong>{text(exercise.label)}</strong>
-        <small>{t("exercise.count", { count: exercise.goals.length })}</small>
-      </span>
-    </button>
-  );
-}
-
-/** One that has a mistake: its author sees which. */
-function Broken({ exercise: { name, problems } }: { exercise: Exercise }) {
-  const [first] = problems;
-  return (
-    <div className="exercise-card is-broken row" data-testid={`exercise-card-${name}`}>
-      <Icon name="triangle-alert" size={20} />
-      <span>
-        <strong dir="auto">{name}</strong>
-        <small>
-          {t("exercise.broken")}{" "}
-          {first === undefined ? null : <Said text={t("banner.line", { line: first.line, message: first.message })} />}
-        </small>
-      </span>
-    </div>
-  );
-}
-
-export function ExerciseCards() {
-  const all = useExercise((state) => state.all);
-  useEffect(() => void lookForExercises(), []);
-  if (all === null || all.length === 0) return null;
-  return (
-    <section className="exercise-cards" aria-label={t("exercise.title")}>
-      <h3>{t("exercise.title")}</h3>
-      <ul>
-        {all.map((one) => (
-          <li key={one.name}>{one.goals.length > 0 ? <Card exercise={one} /> : <Broken exercise={one} />}</li>
-        ))}
-      </ul>
+      <NextLesson testId="exercise-next" takesFocus />
     </section>
   );
 }

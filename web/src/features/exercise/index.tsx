@@ -5,7 +5,6 @@ import { later } from "../../ui/later";
 import { useOpenExercise } from "../../session/open-exercise";
 
 const ExercisePanel = later(() => import("./Panel").then((chunk) => chunk.ExercisePanel), complain);
-const ExerciseCards = later(() => import("./Panel").then((chunk) => chunk.ExerciseCards), complain);
 
 function ExerciseDock() {
   return useOpenExercise(({ open }) => open !== null) ? <ExercisePanel /> : null;
@@ -13,5 +12,6 @@ function ExerciseDock() {
 
 export const exercise: Feature = {
   name: "exercise",
-  slots: { above: ExerciseDock, "open-lists": ExerciseCards },
+  slots: { above: ExerciseDock },
+  lessons: () => import("./lessons").then((chunk) => chunk.lessons()),
 };

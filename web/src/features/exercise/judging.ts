@@ -11,8 +11,9 @@ import type { Exercise } from "../../api/generated";
 import { useStudio } from "../../model/studio";
 import type { Mission } from "../../model/types";
 import { complain, show } from "../../session/document";
-import { openPath } from "../../session/open-requests";
+import { openMissionOfLesson } from "../../session/open-requests";
 import { isLive, useRun } from "../../session/run";
+import { setOpenLesson } from "../../session/lessons";
 import { type Mark, noMarks, pieces, withVerdicts } from "./marks";
 import { remember, setGoals, useOpenExercise } from "../../session/open-exercise";
 
@@ -72,7 +73,7 @@ export function begin(exercise: Exercise): void {
   show(null);
   reset();
   remember({ name: exercise.name, path: exercise.start });
-  if (useStudio.getState().file.path !== exercise.start) openPath(exercise.start);
+  if (useStudio.getState().file.path !== exercise.start) openMissionOfLesson(exercise.start);
 }
 
 export function leave(): void {
@@ -97,20 +98,27 @@ function askToStop(): void {
   exerciseApi.stop(judging).catch(() => undefined);
 }
 
-async function judge(seeds: readonly (number | null)[], basis: Basis, of: Mission): Promise<void> {
+/** Judges these pieces; `known` are the marks that others gave. */
+async function judge(
+  seeds: readonly (number | null)[],
+  basis: Basis,
+  of: Mission,
+  known?: readonly Mark[],
+): Promise<void> {
   const exercise = openExercise();
   if (exercise === null) return;
   drop();
   const mine = (asking = new AbortController());
   const name = (judging = String(Math.random()));
   stopping = false;
-  set({ marks: noMarks(exercise), basis: { kind: "none" }, old: false, busy: { done: 0, total: seeds.length } });
+  const marks = known ?? noMarks(exercise);
+  set({ marks, basis: { kind: "none" }, old: false, busy: { done: 0, total: seeds.length } });
   try {
     for (const [done, seed] of seeds.entries()) {
       const { goals, mission } = await exerciseApi.judge(exercise.name, of, seed, name, mine.signal);
       if (mine.signal.aborted) return;
-      const marks = withVerdicts(useExercise.getState().marks, goals);
-      set({ marks, judged: mission, busy: { done: done + 1, total: seeds.length } });
+      const found = withVerdicts(useExercise.getState().marks, goals);
+      set({ marks: found, judged: mission, busy: { done: done + 1, total: seeds.length } });
       if (isStopping()) {
         set({ basis: { kind: "stopped" }, busy: null });
         return;
@@ -129,6 +137,29 @@ export function judgeAll(): void {
   const exercise = openExercise();
   if (exercise === null) return;
   void judge(pieces(exercise), { kind: "all", runs: exercise.seeds.length }, useStudio.getState().mission);
+}
+
+/** Judges a run that has ended; where that left no goal missed, the other runs too, and what is checked. */
+async function judgeRun(seed: number, of: Mission): Promise<void> {
+  const exercise = openExercise();
+  if (exercise === null) return;
+  const all: Basis = { kind: "all", runs: exercise.seeds.length };
+  const rest = pieces(exercise).filter((piece) => piece !== seed);
+  await judge([seed], rest.length === 0 ? all : { kind: "run", seed }, of);
+  const { basis, old, marks } = useExercise.getState();
+  if (basis.kind === "run" && !old && marks.every(({ state }) => state !== "missed")) await judge(rest, all, of, marks);
+}
+
+/** Whether every goal is reached in every run, as the mission is now. */
+function isSolved(): boolean {
+  const { basis, old, marks } = useExercise.getState();
+  return basis.kind === "all" && !old && marks.length > 0 && marks.every(({ state }) => state === "reached");
+}
+
+/** Says which exercise is open, and whether it is solved. */
+function tellLesson(): void {
+  const exercise = openExercise();
+  setOpenLesson("exercise", exercise === null ? null : { name: exercise.name, done: isSolved() });
 }
 
 /** What was found until now stays. */
@@ -183,10 +214,12 @@ export function keepExercise(): () => void {
     const was = playing;
     playing = false;
     if (!was && useExercise.getState().busy === null) {
-      void judge([state.seed], { kind: "run", seed: state.seed }, state.mission);
+      void judgeRun(state.seed, state.mission);
     }
   });
+  const offOpen = useOpenExercise.subscribe(tellLesson);
   const offMarks = useExercise.subscribe(({ marks }, before) => {
+    tellLesson();
     if (marks === before.marks) return;
     const goals = marks.map(({ state, why }) => ({ reached: state === "open" ? null : state === "reached", why }));
     setGoals(goals);
@@ -198,6 +231,8 @@ export function keepExercise(): () => void {
     offStudio();
     offRun();
     offMarks();
+    offOpen();
+    setOpenLesson("exercise", null);
     window.removeEventListener("focus", onFocus);
   };
 }

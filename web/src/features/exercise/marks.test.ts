@@ -11,6 +11,7 @@ const exercise: Exercise = {
   label: {},
   help: {},
   icon: "target",
+  order: 1000,
   seconds: 60,
   seeds: [1, 2],
   goals: [goal("run"), goal("check")],

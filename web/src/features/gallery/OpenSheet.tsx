@@ -5,7 +5,7 @@ import type { MissionEntry } from "../../api/generated";
 import { Gallery } from "./Gallery";
 import { Jumps } from "./Jumps";
 import { Icon } from "../../theme";
-import { Slot } from "../../components/Slot";
+import { Doors } from "../../components/Doors";
 import { languageInUse, t } from "../../i18n/words";
 import { closeOverlay, show, shownName, useDocument } from "../../session/document";
 import { openFromComputer, openLeft, openPath } from "../../session/open-requests";
@@ -104,7 +104,6 @@ function Lists() {
       )}
       {examples.length === 0 ? null : <h3>{t("open.examples")}</h3>}
       {examples.length === 0 ? null : <Gallery examples={examples} open={open} />}
-      <Slot name="open-lists" />
     </>
   );
 }
@@ -114,6 +113,7 @@ export function OpenSheet() {
   return (
     <Sheet title={t("open.title")} testId="open-dialog" wide onClose={closeOverlay}>
       <div className="open-lists">
+        <Doors />
         <Jumps />
         <Lists />
       </div>

@@ -1,6 +1,6 @@
 /** What can be opened: lists of missions and recordings, fetched when they are shown. */
-import { api, ask } from "../../api/client";
-import type { Left, MissionEntry, RecordingEntry, RunPreview } from "../../api/generated";
+import { api } from "../../api/client";
+import type { Left, MissionEntry, RecordingEntry } from "../../api/generated";
 import { journalApi } from "../../api/journal";
 import { traceApi } from "../../api/traces";
 import { complain } from "../../session/document";
@@ -38,18 +38,4 @@ export function useOpenable(): Openable | null {
   const missions = useMissions();
   const recordings = useRecordings();
   return left === null || missions === null || recordings === null ? null : { left, missions, recordings };
-}
-
-/** Previews that were fetched, by the example as it was then. */
-const known = new Map<string, Promise<RunPreview>>();
-
-/** What an example does; fetched once for each state of its file. A fetch that failed is tried again. */
-export function previewOf({ path, modified }: MissionEntry): Promise<RunPreview> {
-  const name = `${modified} ${path}`;
-  const before = known.get(name);
-  if (before !== undefined) return before;
-  const asked = ask<RunPreview>(`missions/preview?path=${encodeURIComponent(path)}`);
-  known.set(name, asked);
-  asked.catch(() => known.delete(name));
-  return asked;
 }

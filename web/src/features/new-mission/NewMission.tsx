@@ -11,6 +11,7 @@ import { api } from "../../api/client";
 import type { Ability, Beginnings, Preview, RunPreview } from "../../api/generated";
 import { journalApi } from "../../api/journal";
 import { t } from "../../i18n/words";
+import { Doors } from "../../components/Doors";
 import { firstSentence, text } from "../../model/texts";
 import { closeOverlay, complain, freeMissionName, show } from "../../session/document";
 import { beginMission } from "../../session/open-requests";
@@ -189,6 +190,7 @@ function Form({ all, taken }: { all: Beginnings; taken: readonly string[] }) {
       }}
     >
       <main className="new-rows">
+        <Doors />
         <h2 id="new-title">{t("new.title")}</h2>
         <p>{t("new.help")}</p>
         <Row number={1} title={t("new.robot")}>

@@ -82,5 +82,6 @@ export const robots: Feature = {
   slots: { tools: RunOnRobots },
   keys: KEYS,
   useMenu,
+  useOn: () => useRobotsPanel(({ running }) => running > 0),
   stop: () => useRobotsPanel.getState().stopAll?.(),
 };

@@ -86,5 +86,6 @@ export const run: Feature = {
   words: { "run-save": "search.trace" },
   elsewhere: [{ name: "elsewhere.timeline-name", says: "elsewhere.timeline", also: "search.timeline" }],
   useMenu,
+  useOn: () => useRun(({ status }) => isLive(status)),
   stop: () => useRun.getState().stop(),
 };

@@ -25,6 +25,7 @@ const tutorial: Tutorial = {
   label: { "": "Driving" },
   help: {},
   icon: "",
+  order: 1000,
   teacher: null,
   problems: [],
   steps: [step("start"), step("turn"), step("stop")],

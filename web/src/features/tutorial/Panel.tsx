@@ -2,6 +2,7 @@
 import { useEffect, useRef } from "react";
 
 import type { Tutorial } from "../../api/generated";
+import { NextLesson } from "../../components/NextLesson";
 import { t } from "../../i18n/words";
 import { partsOf } from "../../model/parts";
 import { programInView, useStudio } from "../../model/studio";
@@ -9,9 +10,9 @@ import { text } from "../../model/texts";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
-import { begin, beginAnew } from "./opening";
+import { beginAnew } from "./opening";
 import { goToPoint, type Page, selectorOf, told, wordsOf } from "./points";
-import { doneSteps, nextTutorial } from "./progress";
+import { doneSteps } from "./progress";
 import { goBack, goForward, goTo, leave, showHint, useTutorial } from "./state";
 import { keepWatching } from "./watching";
 import "./tutorial.css";
@@ -67,12 +68,13 @@ function Steps({ tutorial, done, page }: StepProps) {
   );
 }
 
-/** One calm ring around everything that the step points at. */
-function Ring({ selector }: { selector: string }) {
+/** One calm ring around everything that the step points at; it closes in on it for who asked to be shown. */
+function Ring({ selector, shown }: { selector: string; shown: boolean }) {
   if (selector === "") return null;
+  const closing = shown ? "animation: var(--tutorial-shown);" : "";
   return (
     <style data-testid="tutorial-ring">
-      {`:root:root :is(${selector}) { outline: var(--tutorial-ring); outline-offset: var(--tutorial-ring-away); border-radius: var(--radius-inner); }`}
+      {`:root:root :is(${selector}) { outline: var(--tutorial-ring); outline-offset: var(--tutorial-ring-away); border-radius: var(--radius-inner); ${closing} }`}
     </style>
   );
 }
@@ -87,7 +89,7 @@ function StepView({ tutorial, done, page }: StepProps) {
   const points = step.points.filter((point) => selectorOf(point, page) !== "");
   return (
     <>
-      {is ? null : <Ring selector={points.map((point) => selectorOf(point, page)).join(", ")} />}
+      {is ? null : <Ring selector={points.map((point) => selectorOf(point, page)).join(", ")} shown={hinted} />}
       <div className="tutorial-words">
         <h3>{told(step.label, page)}</h3>
         <p>{told(step.help, page)}</p>
@@ -127,7 +129,15 @@ function StepView({ tutorial, done, page }: StepProps) {
       </div>
       <div className="tutorial-ways rigid">
         {is || hinted || (hint === "" && points.length === 0) ? null : (
-          <Button icon="lightbulb" testId="tutorial-show" onClick={showHint}>
+          <Button
+            icon="lightbulb"
+            testId="tutorial-show"
+            onClick={() => {
+              showHint();
+              const [first] = points;
+              if (first !== undefined) goToPoint(first, page);
+            }}
+          >
             {t("tutorial.show-me")}
           </Button>
         )}
@@ -145,14 +155,6 @@ function StepView({ tutorial, done, page }: StepProps) {
 function End({ tutorial, done, page }: StepProps) {
   const whole = done.every(Boolean);
   const open = done.findIndex((is) => !is);
-  const all = useTutorial((state) => state.all);
-  const next = whole ? nextTutorial(all, tutorial) : null;
-  const button = useRef<HTMLButtonElement>(null);
-  useEffect(() => {
-    // Enter goes on to the next one; who types somewhere goes on typing.
-    if (next !== null && document.activeElement?.matches("input, textarea, [contenteditable='true']") !== true)
-      button.current?.focus();
-  }, [next]);
   return (
     <>
       <div className="tutorial-words" data-testid="tutorial-end">
@@ -160,18 +162,7 @@ function End({ tutorial, done, page }: StepProps) {
         <p>{whole ? t("tutorial.finished-help") : t("tutorial.open-again", { number: open + 1 })}</p>
       </div>
       <div className="tutorial-ways rigid">
-        {next === null ? null : (
-          <Button
-            ink
-            ref={button}
-
-            onClick={() => void begin(next)}
-            testId="tutorial-next-one"
-          >
-            {t("tutorial.next-one", { name: text(next.label) })}
-            <Icon name="arrow-right" size={16} />
-          </Button>
-        )}
+        <NextLesson testId="tutorial-next-one" takesFocus />
         {whole ? (
           <Button
             onClick={() => {

@@ -3,6 +3,7 @@ import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import { useDocument } from "../../session/document";
+import { openLesson, useLessons } from "../../session/lessons";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
@@ -11,12 +12,13 @@ import { useTutorial, welcome } from "./state";
 import "./welcome.css";
 
 export function Welcome() {
-  const { all, tutorial, welcomed } = useTutorial();
+  const { all, welcomed } = useTutorial();
+  const learns = useLessons((lessons) => openLesson(lessons) !== null);
   const path = useStudio((studio) => studio.file.path);
   const ready = useDocument((document) => document.ready);
   const [first] = (all ?? []).filter((one) => one.steps.length > 0);
   // Not above a mission of the folder; a new mission begins where the folder has none.
-  if (!ready || welcomed || tutorial !== null || first === undefined) return null;
+  if (!ready || welcomed || learns || first === undefined) return null;
   if (path !== "" && !path.startsWith("example:")) return null;
   return (
     <section className="welcome" aria-label={t("tutorial.welcome")} data-testid="welcome">

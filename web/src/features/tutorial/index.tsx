@@ -1,26 +1,15 @@
-/** Tutorials: the list of them, and the one that is open. */
-import { useEffect } from "react";
-
+/** Tutorials: the one that is open, and all of them as lessons and in the menu. */
 import { t } from "../../i18n/words";
 import { text } from "../../model/texts";
-import { complain } from "../../session/document";
 import type { Feature } from "../../session/features";
 import type { MenuEntries } from "../../session/menu-table";
+import { setOpenLesson } from "../../session/lessons";
 import { setLesson } from "../../session/stage";
-import { later } from "../../ui/later";
 import { menuItem } from "../../ui/menu-model";
-import { begin, lookForTutorials } from "./opening";
+import { begin } from "./opening";
+import { doneSteps } from "./progress";
 import { useTutorial } from "./state";
 import { Tutorials } from "./Tutorials";
-
-const Cards = later(() => import("./Cards").then((chunk) => chunk.TutorialCards), complain);
-const Invitation = later(() => import("./Cards").then((chunk) => chunk.Invitation), complain);
-
-/** In the sheet for opening. */
-function AllCards() {
-  useEffect(() => void lookForTutorials(), []);
-  return <Cards />;
-}
 
 function useMenu(): MenuEntries {
   const usable = (useTutorial(({ all }) => all) ?? []).filter(({ steps }) => steps.length > 0);
@@ -35,10 +24,19 @@ function useMenu(): MenuEntries {
   };
 }
 
+/** Says which tutorial is on, and whether all of its steps are done. */
+function keepLesson(): () => void {
+  return useTutorial.subscribe(({ tutorial, fits, progress }) => {
+    setLesson(tutorial !== null);
+    const done = tutorial !== null && doneSteps(tutorial, fits, progress).every(Boolean);
+    setOpenLesson("tutorial", tutorial === null ? null : { name: tutorial.name, done });
+  });
+}
+
 export const tutorial: Feature = {
   name: "tutorial",
-  slots: { above: Tutorials, "open-lists": AllCards },
-  panels: { "empty-program": Invitation },
+  slots: { above: Tutorials },
+  lessons: () => import("./lessons").then((chunk) => chunk.lessons()),
   useMenu,
-  start: () => useTutorial.subscribe(({ tutorial }) => setLesson(tutorial !== null)),
+  start: keepLesson,
 };

@@ -11,7 +11,7 @@ import type { Tutorial } from "../../api/generated";
 import { tutorialApi } from "../../api/tutorials";
 import { useStudio } from "../../model/studio";
 import { complain, show, useDocument } from "../../session/document";
-import { openPath } from "../../session/open-requests";
+import { openMissionOfLesson } from "../../session/open-requests";
 import { loadFromDisk } from "../../session/opening";
 import { begun, openTutorial, type Progress, rememberedProgress } from "./progress";
 import { enter, leave, movedTo, setTutorials, useTutorial } from "./state";
@@ -71,7 +71,7 @@ function wait(tutorial: Tutorial, progress: Progress, anew: boolean): void {
   const { file, dirty } = useStudio.getState();
   // The same mission is opened again only to begin anew.
   if (file.path === progress.path && (!anew || !dirty)) arrived();
-  else openPath(progress.path);
+  else openMissionOfLesson(progress.path);
 }
 
 function arrived(): void {

@@ -9,8 +9,12 @@ import { type Parts, shortTitle, title } from "../../model/parts";
 import { text } from "../../model/texts";
 import type { Program, Texts } from "../../model/types";
 import { reveal as revealVertex } from "../../session/actions";
+import { type Panel, useLayout } from "../../session/layout";
+import { openRoom } from "../../session/narrow";
 import { reveal } from "../../session/reveal";
+import { setBeside } from "../../session/stage";
 import { useView } from "../../session/view";
+import { hasCoarsePointer } from "../../ui/coarse-pointer";
 import { whenThere } from "../../ui/when-there";
 
 const BUTTONS: Readonly<Record<string, { testid: string; words: Key }>> = {
@@ -115,9 +119,17 @@ function nameIn(braces: string, { parts }: Page): string | null {
   return found === undefined ? null : text(found.label, name);
 }
 
-/** A text of a tutorial, with the names of parts as the reader sees them in the palette. */
+/** {two|words}, also where a name in them is not known. */
+const EITHER = /\{((?:[^{}|]|\{[^{}|]*\})*)\|((?:[^{}|]|\{[^{}|]*\})*)\}/g;
+
+/**
+ * A text of a tutorial, with the names of parts as the reader sees them in the palette. Of {two|words} the first is for a
+ * mouse and a keyboard, the second for fingers; either may have names in it.
+ */
 export function told(texts: Texts, page: Page): string {
-  return text(texts).replace(/\{([^{}]+)\}/g, (whole, braces: string) => nameIn(braces, page) ?? whole);
+  const named = text(texts).replace(/\{([^{}]+)\}/g, (whole, braces: string) => nameIn(braces, page) ?? whole);
+  const fingers = hasCoarsePointer();
+  return named.replace(EITHER, (_, mouse: string, finger: string) => (fingers ? finger : mouse));
 }
 
 /** A point in words: "Wheel Advance in the parts". */
@@ -148,14 +160,33 @@ function focus(selector: string): void {
   (inner ?? found).focus({ preventScroll: true });
 }
 
+/** The panel of the page in which a point is; null for the graph and what stands around it. */
+function panelOf({ kind, name, inner }: Point): Panel | null {
+  if (kind === "part" || kind === "group" || name === "roster" || name === "spare") return "palette";
+  if (kind === "vertex") return inner === "" ? null : "inspector";
+  return kind === "panel" && (name === "palette" || name === "inspector" || name === "code" || name === "arena")
+    ? name
+    : null;
+}
+
+/** Opens the panel, wherever it was folded away: on a phone it is the room under the graph. */
+function openPanel(panel: Panel | null): void {
+  const { folded, toggle } = useLayout.getState();
+  if (panel !== null && folded[panel]) toggle(panel);
+  if (panel === "inspector" || panel === "code") setBeside(false);
+  openRoom(panel);
+}
+
 /** Brings what a point means into view and gives it the focus. */
 export function goToPoint(point: Point, page: Page): void {
+  openPanel(panelOf(point));
   if (point.kind === "part") {
-    reveal(point.name);
+    // A palette that was folded away is drawn first.
+    requestAnimationFrame(() => reveal(point.name));
     return;
   }
   if (point.kind !== "vertex") {
-    focus(selectorOf(point, page));
+    requestAnimationFrame(() => focus(selectorOf(point, page)));
     return;
   }
   const [first] = vertices(point, page);

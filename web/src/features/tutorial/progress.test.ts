@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import type { Tutorial, TutorialStep } from "../../api/generated";
-import { begun, doneSteps, nextStep, nextTutorial, readProgress } from "./progress";
+import { begun, doneSteps, nextStep, readProgress } from "./progress";
 
 const step = (asks: boolean, ...events: string[]): TutorialStep => ({
   label: {},
@@ -17,6 +17,7 @@ const tutorial: Tutorial = {
   label: {},
   help: {},
   icon: "",
+  order: 1000,
   teacher: null,
   problems: [],
   steps: [step(true), step(true, "run-done"), step(false)],
@@ -46,18 +47,6 @@ describe("where to go on", () => {
   it("leaves out what was skipped", () => {
     expect(nextStep([true, false, false], [1], 0)).toBe(2);
     expect(nextStep([true, false, true], [1], 2)).toBe(3);
-  });
-});
-
-describe("the next tutorial", () => {
-  it("is the one that follows and can be used; there is none after the last, nor without a list", () => {
-    const [first, broken, last] = ["a", "b", "c"].map((name) => ({ ...tutorial, name }));
-    if (first === undefined || broken === undefined || last === undefined) throw new Error("three names");
-    const all = [first, { ...broken, steps: [] }, last];
-    expect(nextTutorial(all, first)?.name).toBe("c");
-    expect(nextTutorial(all, last)).toBeNull();
-    expect(nextTutorial(all, tutorial)).toBeNull();
-    expect(nextTutorial(null, first)).toBeNull();
   });
 });
 

@@ -33,12 +33,6 @@ export function doneSteps(tutorial: Tutorial, fits: readonly boolean[], progress
   return tutorial.steps.map((_, step) => isDone(tutorial, step, fits, progress));
 }
 
-/** The tutorial that follows in the list and can be used; null after the last one. */
-export function nextTutorial(all: readonly Tutorial[] | null, { name }: Tutorial): Tutorial | null {
-  const at = (all ?? []).findIndex((one) => one.name === name);
-  return at < 0 ? null : ((all ?? []).slice(at + 1).find(({ steps }) => steps.length > 0) ?? null);
-}
-
 /** Where to go on after a step: the next that is neither done nor skipped, else one before it, else the end. */
 export function nextStep(done: readonly boolean[], skipped: readonly number[], after: number): number {
   const open = done.map((is, step) => (is || skipped.includes(step) ? -1 : step)).filter((step) => step >= 0);

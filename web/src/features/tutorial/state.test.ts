@@ -19,6 +19,7 @@ const tutorial: Tutorial = {
   label: {},
   help: {},
   icon: "",
+  order: 1000,
   teacher: null,
   problems: [],
   steps: [step(true), step(true), step(true, "run-done"), step(false)],

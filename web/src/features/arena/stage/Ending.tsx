@@ -4,21 +4,25 @@
  */
 import CircleCheck from "lucide-react/icons/circle-check";
 import CircleX from "lucide-react/icons/circle-x";
+import Download from "lucide-react/icons/download";
 import Locate from "lucide-react/icons/locate-fixed";
 import Play from "lucide-react/icons/rotate-ccw";
 import TriangleAlert from "lucide-react/icons/triangle-alert";
 import { useEffect, useRef, useState } from "react";
 import { create } from "zustand";
 
+import { NextLesson } from "../../../components/NextLesson";
 import type { Painter } from "../../../components/scene/painter";
 import { clock } from "../../../i18n/numbers";
 import { Said } from "../../../i18n/Said";
 import { t } from "../../../i18n/words";
 import { useStudio } from "../../../model/studio";
+import { nextOfOpen, openLesson, useLessons } from "../../../session/lessons";
 import { can, isEnded, useRun } from "../../../session/run";
 import { Icon } from "../../../theme";
 import { accountOf, type Facts, type Tone } from "./account";
 import { causeOf } from "./cause";
+import { hasDrawn, saveDrawing } from "./save-drawing";
 import { Button } from "../../../ui/Button";
 
 /** What is known of the run that ended last, and its name. */
@@ -53,6 +57,8 @@ function useCover(painter: Painter, shown: boolean) {
 
 export function Ending({ painter }: { painter: Painter }) {
   const run = useRun();
+  const own = useLessons((lessons) => openLesson(lessons) === null);
+  const goesOn = useLessons((lessons) => nextOfOpen(lessons) !== null);
   const { facts, run: known } = useFacts();
   const [closed, setClosed] = useState("");
   const { sentence, status, name, tick, real } = run;
@@ -62,6 +68,7 @@ export function Ending({ painter }: { painter: Painter }) {
   const { tone, title, more } = accountOf(facts);
   const cause = status === "done" ? null : causeOf(run);
   const seeks = can("seek", run);
+  const saves = own && hasDrawn();
   const Sign = SIGNS[tone];
   return (
     <section className="stage-ending" data-tone={tone} data-testid="ending" aria-label={t("arena.result")} ref={card}>
@@ -83,9 +90,10 @@ export function Ending({ painter }: { painter: Painter }) {
           </p>
         )}
       </div>
-      {seeks ? (
-        <span className="stage-ending-ways wrap">
-          {cause === null || cause.tick >= tick ? null : (
+      {seeks || goesOn || saves ? (
+        <span className="stage-ending-ways wrap" data-next={goesOn}>
+          <NextLesson testId="ending-next" />
+          {!seeks || cause === null || cause.tick >= tick ? null : (
             <Button
               testId="go-to-cause"
               onClick={() => {
@@ -101,16 +109,24 @@ export function Ending({ painter }: { painter: Painter }) {
               <span>{t("arena.go-to-cause")}</span>
             </Button>
           )}
-          <Button
-            testId="watch-again"
-            onClick={() => {
-              run.seek(0);
-              run.resume();
-            }}
-          >
-            <Play size={16} aria-hidden="true" />
-            <span>{t("arena.watch-again")}</span>
-          </Button>
+          {seeks ? (
+            <Button
+              testId="watch-again"
+              onClick={() => {
+                run.seek(0);
+                run.resume();
+              }}
+            >
+              <Play size={16} aria-hidden="true" />
+              <span>{t("arena.watch-again")}</span>
+            </Button>
+          ) : null}
+          {saves ? (
+            <Button testId="ending-save-drawing" onClick={() => saveDrawing(false)}>
+              <Download size={16} aria-hidden="true" />
+              <span>{t("arena.save-drawing")}</span>
+            </Button>
+          ) : null}
         </span>
       ) : null}
       <button

@@ -36,7 +36,7 @@ export function Shown({ scene, selected, painter }: ShownProps) {
     layers.show(on, selected, !large);
     painter.setLayers({ place: places && !large, names: large && on.names }, layers);
   }, [painter, layers, on, large, places, selected]);
-  useEffect(() => layers.celebrateRuns(), [layers]);
+  useEffect(() => layers.celebrateGoals(), [layers]);
   useEffect(() => {
     const account = () => {
       const now = useRun.getState();

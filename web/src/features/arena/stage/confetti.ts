@@ -26,7 +26,7 @@ export class Confetti {
   }
 
   begin(): void {
-    if (matchMedia("(prefers-reduced-motion: reduce)").matches) return;
+    if (this.since !== null || matchMedia("(prefers-reduced-motion: reduce)").matches) return;
     this.since = performance.now();
     this.again();
   }

@@ -13,6 +13,7 @@ import { PEN_COLOURS, type PenStroke, strokesOfRun } from "../../../components/s
 import type { Area } from "../../../components/scene/tag-place";
 import { decimal } from "../../../i18n/numbers";
 import { useStudio } from "../../../model/studio";
+import { openLesson, useLessons } from "../../../session/lessons";
 import { isLive, type RunState, useRun } from "../../../session/run";
 import { fontOf, token, useTheme } from "../../../theme";
 import type { Facts } from "./account";
@@ -114,13 +115,21 @@ export class StageLayers implements Layers {
     this.tag = tag;
   }
 
-  /** Celebrates when a run reaches its goal; the returned function ends that. */
-  celebrateRuns(): () => void {
-    return useRun.subscribe((now, before) => {
+  /** Celebrates when a run reaches its goal, and when a lesson is done; the returned function ends that. */
+  celebrateGoals(): () => void {
+    const offRun = useRun.subscribe((now, before) => {
       if (now.status === before.status) return;
       if (reachedGoal(now)) this.confetti.begin();
       else if (now.status === "running") this.confetti.clear();
     });
+    const offLessons = useLessons.subscribe((now, before) => {
+      const [lesson, was] = [openLesson(now), openLesson(before)];
+      if (lesson?.done === true && was?.name === lesson.name && !was.done) this.confetti.begin();
+    });
+    return () => {
+      offRun();
+      offLessons();
+    };
   }
 
   private stands(seen: Seen, count: number): boolean {
