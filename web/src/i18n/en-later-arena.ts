@@ -49,6 +49,7 @@ export const ARENA_EN = {
   "account.returned": "{name} came back to where it began.",
   "account.returned-many": "{count} robots came back to where they began.",
   "account.before-wall": "{name} stopped {length} before a wall.",
+  "account.apart": "{count} robots drove in a row, {least} to {most} apart.",
   "account.touched": { one: "Something was touched {count} time.", other: "Something was touched {count} times." },
   "account.untouched": "Nothing was touched.",
   "account.lit": { one: "The lamp of {name} went on {count} time.", other: "The lamp of {name} went on {count} times." },

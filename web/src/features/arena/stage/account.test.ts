@@ -120,6 +120,7 @@ describe("the card of a run", () => {
       [{ kind: "returned", name: robot, count: 2 }, "2 robots came back to where they began."],
       [{ kind: "before-wall", name: robot, mm: 84 }, "robot-1 stopped 8 cm before a wall."],
       [{ kind: "changed", name: robot, text: "takes over for robot-2" }, "robot-1 takes over for robot-2."],
+      [{ kind: "apart", count: 3, least: 360, most: 520 }, "3 robots drove in a row, 36 cm to 52 cm apart."],
       [{ kind: "touched", count: 1 }, "Something was touched 1 time."],
       [{ kind: "lit", name: robot, robots: 2, count: 4 }, "Lamps of 2 robots went on 4 times in all."],
       [{ kind: "turned", name: robot, angle: 360 }, "robot-1 turned by 360° on the spot."],

@@ -115,6 +115,8 @@ export function deedWords(deed: Deed, tickMs: number): string {
         : t("account.returned-many", { count: deed.count });
     case "before-wall":
       return t("account.before-wall", { name: deed.name, length: lengthWords(deed.mm) });
+    case "apart":
+      return t("account.apart", { count: deed.count, least: lengthWords(deed.least), most: lengthWords(deed.most) });
     case "changed":
       return `${deed.name} ${deed.text}.`;
     case "touched":
@@ -139,11 +141,13 @@ export function accountOf(facts: Facts): Account {
   if (!facts.done) return { tone: "failure", title: sentence, more: [] };
   const [drawn, drove] = [drawnWords(facts.lines), drivenWords(facts.driven)];
   const said = deeds.map((deed) => deedWords(deed, tickMs));
+  const along = deeds.some(({ kind }) => kind === "followed");
   // What was done comes first; how far was driven stands after the most telling of it.
   const found = [
     ...(drawn === null ? [] : [drawn.title, ...drawn.more]),
     ...said.slice(0, 1),
-    ...(drove === null ? [] : [drove]),
+    // Who followed a line drove as far as that says.
+    ...(drove === null || (along && facts.driven.length === 1) ? [] : [drove]),
     ...said.slice(1),
   ].slice(0, MOST_SAID);
   if (goals.count > 0 && goals.reached === goals.count) {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import type { World } from "../../../model/types";
-import { colourAt, colourDeeds, lineDeeds, returnDeeds, wallAhead, wallDeeds, type Way } from "./deeds";
+import { colourAt, colourDeeds, lineDeeds, returnDeeds, trainDeeds, wallAhead, wallDeeds, type Way } from "./deeds";
 
 const box = (left: number, bottom: number, right: number, top: number): [number, number][] => [
   [left, bottom],
@@ -90,6 +90,17 @@ describe("who comes back", () => {
     expect(returnDeeds([square, way([0, 0], [900, 0])])).toEqual([{ kind: "returned", name: "robot-1", count: 1 }]);
     expect(returnDeeds([way([600, 600], [620, 600], [600, 600])])).toEqual([]);
     expect(returnDeeds([])).toEqual([]);
+  });
+});
+
+describe("robots in a row", () => {
+  it("stay near to the one before them all the way", () => {
+    const [first, second] = [way([500, 600], [1700, 600]), way([100, 600], [1300, 600])];
+    expect(trainDeeds([first, second])).toMatchObject([
+      { kind: "apart", count: 2, least: expect.closeTo(400, 0), most: expect.closeTo(400, 0) },
+    ]);
+    expect(trainDeeds([first, way([100, 1900], [1300, 1900])])).toEqual([]);
+    expect(trainDeeds([first])).toEqual([]);
   });
 });
 

@@ -17,6 +17,7 @@ export type Deed =
   | { kind: "followed"; name: string; mm: number }
   | { kind: "returned"; name: string; count: number }
   | { kind: "before-wall"; name: string; mm: number }
+  | { kind: "apart"; count: number; least: number; most: number }
   | { kind: "changed"; name: string; text: string }
   | { kind: "touched"; count: number }
   | { kind: "untouched" }
@@ -110,6 +111,31 @@ export function returnDeeds(ways: readonly Way[]): Deed[] {
   });
   const [first] = back;
   return first === undefined ? [] : [{ kind: "returned", name: first.name, count: back.length }];
+}
+
+/** Further than this from each other robots are no train, in mm. */
+const TRAIN_MM = 800;
+
+/** Where a robot was at a tick. */
+function placeAt({ xs, ys, ticks }: Way, tick: number): [number, number] {
+  const at = Math.max(ticks.findLastIndex((one) => one <= tick), 0);
+  return [xs[at] ?? 0, ys[at] ?? 0];
+}
+
+/** Robots that drove far, each keeping near to the one before it. */
+export function trainDeeds(ways: readonly Way[]): Deed[] {
+  if (ways.length < 2 || ways.some(({ mm }) => mm < 2 * LEAST_MM)) return [];
+  let [least, most] = [Infinity, 0];
+  ways.slice(1).forEach((way, index) => {
+    const ahead = ways[index];
+    if (ahead === undefined) return;
+    for (const tick of way.ticks) {
+      const [[ax, ay], [bx, by]] = [placeAt(ahead, tick), placeAt(way, tick)];
+      const apart = Math.hypot(bx - ax, by - ay);
+      [least, most] = [Math.min(least, apart), Math.max(most, apart)];
+    }
+  });
+  return most <= TRAIN_MM ? [{ kind: "apart", count: ways.length, least, most }] : [];
 }
 
 /** How far before the front of a robot the next wall is; infinite where there is none. */

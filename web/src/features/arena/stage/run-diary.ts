@@ -11,7 +11,7 @@ import type { RunState } from "../../../session/run";
 import { useOpenExercise } from "../../../session/open-exercise";
 import { reachedGoal } from "./confetti";
 import type { Facts } from "./account";
-import { colourDeeds, type Deed, lineDeeds, returnDeeds, wallDeeds, type Way } from "./deeds";
+import { colourDeeds, type Deed, lineDeeds, returnDeeds, trainDeeds, wallDeeds, type Way } from "./deeds";
 import type { Trails } from "./trails";
 
 /** A thing that is so far from where it lay was pushed, in mm. */
@@ -109,6 +109,7 @@ export class RunDiary {
       ...(total > 0 ? [{ kind: "delivered" as const, done, total }] : []),
       ...pushDeeds(run),
       ...(world === null ? [] : named.flatMap((way) => [...colourDeeds(world, way), ...lineDeeds(world, way)])),
+      ...trainDeeds(named),
       ...returnDeeds(named),
       ...(world === null || collisions > 0
         ? []
