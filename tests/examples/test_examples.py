@@ -224,9 +224,7 @@ ACHIEVED: dict[str, Callable[[Watched], bool]] = {
     "search": is_found,
     "shared-search": lambda seen: all(is_searched(seen, room) for room in range(7)),
     "square": lambda seen: math.dist(seen.path()[0], seen.path()[-1]) < 30 and way(seen) == pytest.approx(1200, abs=5),
-    "dance": lambda seen: (
-        seen.lamps_lit() == 8 and way(seen) > 7000 and math.dist(seen.path()[0], seen.path()[-1]) < 5
-    ),
+    "dance": lambda seen: seen.lamps_lit() == 8 and way(seen) > 7000 and math.dist(seen.path()[0], seen.path()[-1]) < 5,
     "draw-square": lambda seen: (
         math.dist(seen.path()[0], seen.path()[-1]) < 5 and way(seen) == pytest.approx(1200, abs=5)
     ),

@@ -52,7 +52,10 @@ export const ARENA_EN = {
   "account.apart": "{count} robots drove in a row, {least} to {most} apart.",
   "account.touched": { one: "Something was touched {count} time.", other: "Something was touched {count} times." },
   "account.untouched": "Nothing was touched.",
-  "account.lit": { one: "The lamp of {name} went on {count} time.", other: "The lamp of {name} went on {count} times." },
+  "account.lit": {
+    one: "The lamp of {name} went on {count} time.",
+    other: "The lamp of {name} went on {count} times.",
+  },
   "account.lit-many": "Lamps of {robots} robots went on {count} times in all.",
   "account.turned": "{name} turned by {angle}° on the spot.",
   "account.used": "{name} used: {parts}.",

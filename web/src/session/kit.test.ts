@@ -22,7 +22,15 @@ it("a kit is remembered with what it lacks, and forgotten", () => {
 });
 
 it("what somebody else has put there is no kit", () => {
-  const odd = ["", "{", "7", "[]", '{"name":1}', '{"name":"a","label":{},"absent":{"r":[1]}}', '{"name":"a","label":{"en":1},"absent":{}}'];
+  const odd = [
+    "",
+    "{",
+    "7",
+    "[]",
+    '{"name":1}',
+    '{"name":"a","label":{},"absent":{"r":[1]}}',
+    '{"name":"a","label":{"en":1},"absent":{}}',
+  ];
   expect(odd.map(readKit)).toEqual(odd.map(() => null));
   expect(readKit(null)).toBeNull();
 });

@@ -57,7 +57,9 @@ export function buildWith(kit: BuiltKit | null): void {
 }
 
 export function isAbsent(kit: BuiltKit | null, robot: string, object: Pick<RobotObject, "category" | "name">): boolean {
-  return kit?.absent[robot]?.some(({ category, name }) => category === object.category && name === object.name) === true;
+  return (
+    kit?.absent[robot]?.some(({ category, name }) => category === object.category && name === object.name) === true
+  );
 }
 
 /** The robot that a kit can be most of: with the fewest parts that it lacks, of equals the one that it is now, then the richest. */

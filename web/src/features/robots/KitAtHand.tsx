@@ -45,7 +45,9 @@ export function KitAtHand() {
   return (
     <div className="robots-kit column" data-testid="kit-at-hand" data-kit={kit?.name ?? ""}>
       <h3>{kit === null ? t("kits.no-board") : text(kit.label, kit.name)}</h3>
-      <p className="muted">{kit === null || absent.length === 0 ? t("kits.no-board-help") : t("kits.absent", { parts: listed })}</p>
+      <p className="muted">
+        {kit === null || absent.length === 0 ? t("kits.no-board-help") : t("kits.absent", { parts: listed })}
+      </p>
       <span className="row wrap">
         <Button testId="kit-pick" aria-haspopup="dialog" onClick={() => askKit("", takeKit)}>
           {t("kits.pick")}

@@ -78,7 +78,9 @@ describe("colours", () => {
 
 describe("a line", () => {
   it("is followed by who goes along it, not by who crosses it", () => {
-    expect(lineDeeds(WORLD, way([100, 1010], [1500, 990]))).toMatchObject([{ kind: "followed", mm: expect.closeTo(1400, 0) }]);
+    expect(lineDeeds(WORLD, way([100, 1010], [1500, 990]))).toMatchObject([
+      { kind: "followed", mm: expect.closeTo(1400, 0) },
+    ]);
     expect(lineDeeds(WORLD, way([600, 400], [600, 1600]))).toEqual([]);
     expect(lineDeeds(WORLD, way([100, 1000], [300, 1000]))).toEqual([]);
   });

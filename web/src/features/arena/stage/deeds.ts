@@ -118,7 +118,10 @@ const TRAIN_MM = 800;
 
 /** Where a robot was at a tick. */
 function placeAt({ xs, ys, ticks }: Way, tick: number): [number, number] {
-  const at = Math.max(ticks.findLastIndex((one) => one <= tick), 0);
+  const at = Math.max(
+    ticks.findLastIndex((one) => one <= tick),
+    0,
+  );
   return [xs[at] ?? 0, ys[at] ?? 0];
 }
 
