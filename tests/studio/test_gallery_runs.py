@@ -50,4 +50,5 @@ def test_a_mission_of_the_gallery_is_seen_and_its_card_says_what_was_done(
     assert seen.trail == 0 or seen.trail >= trail
     assert seen.covered <= 0.02, seen.by
     assert seen.tone in ("plain", "goal")
-    assert not seen.words[0].startswith("Done"), seen.words
+    # What a board showed on the way is not seen by a page that gets only the end of a run.
+    assert seen.trail == 0 or not seen.words[0].startswith("Done"), seen.words
