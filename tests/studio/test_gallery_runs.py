@@ -21,6 +21,7 @@ pytestmark = pytest.mark.browser
 NAMES = [path.stem for path in sorted(EXAMPLES.glob("*/*.krt")) if path.parent.name != "exercises"]
 ALL = [(name, size) for name in NAMES for size in SIZES]
 USUAL = [("tidy-up", "1440"), ("door", "390")]
+CASES = ALL if WRITTEN else cases(USUAL, [case for case in ALL if case not in USUAL])
 LEAST = {"1440": (15, 180), "390": (10, 120)}
 """The least length of a robot and of a trail, in px, at each width."""
 
@@ -35,9 +36,7 @@ def found() -> Iterator[dict[tuple[str, str], SeenRun]]:
         page.write_text(table(runs), encoding="utf-8")
 
 
-@pytest.mark.parametrize(
-    ("name", "size"), ALL if WRITTEN else cases(USUAL, [case for case in ALL if case not in USUAL]), ids=str
-)
+@pytest.mark.parametrize(("name", "size"), CASES, ids=str)
 def test_a_mission_of_the_gallery_is_seen_and_its_card_says_what_was_done(
     open_studio: Callable[..., Studio], found: dict[tuple[str, str], SeenRun], name: str, size: str
 ) -> None:
