@@ -89,7 +89,7 @@ export class RunDiary {
       driven: agents.map(({ name }, at) => ({ name, mm: driven[at] ?? 0 })),
       tickMs: run.tickMs,
       deeds: this.deeds(run, trails),
-      acted: this.shown.size > 0 || (this.flags & ACTS) !== 0 || happened.length > 0,
+      acted: this.shown.size > 0 || hasLights(run) || (this.flags & ACTS) !== 0 || happened.length > 0,
     };
   }
 
@@ -109,7 +109,7 @@ export class RunDiary {
       ...(total > 0 ? [{ kind: "delivered" as const, done, total }] : []),
       ...pushDeeds(run),
       ...(world === null ? [] : named.flatMap((way) => [...colourDeeds(world, way), ...lineDeeds(world, way)])),
-      ...trainDeeds(named),
+      ...(collisions > 0 ? [] : trainDeeds(named)),
       ...returnDeeds(named),
       ...(world === null || collisions > 0
         ? []
@@ -123,7 +123,7 @@ export class RunDiary {
       ...this.turnDeeds(run, ways),
       ...this.partDeeds(run),
       ...numberDeeds(run),
-      ...(careful && collisions === 0 ? [{ kind: "untouched" as const }] : []),
+      ...(careful && collisions === 0 && pushDeeds(run).length === 0 ? [{ kind: "untouched" as const }] : []),
     ];
   }
 
@@ -158,6 +158,14 @@ export class RunDiary {
       return parts.length > 0 ? [{ kind: "used", name, parts: parts.slice(0, FEW) }] : [];
     });
   }
+}
+
+/** A board may have shown what nobody saw: of a fast run only its end comes. */
+function hasLights({ agents }: RunState): boolean {
+  const { robots } = useStudio.getState().catalogue;
+  return agents.some(({ robot }) =>
+    robots.find(({ name }) => name === robot)?.objects.some(({ look }) => look === "lights"),
+  );
 }
 
 function pushDeeds({ world }: RunState): Deed[] {
