@@ -14,7 +14,7 @@ SOURCES := $(wildcard src tests tools benchmarks hatch_build.py)
 .NOTPARALLEL:
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help install page run quick near test thorough check format docs bench pictures site lock clean
+.PHONY: help install page run quick near test thorough check format docs bench pictures gallery site lock clean
 
 help: ## list the tasks
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -77,6 +77,9 @@ bench: install ## measure, each subject beside its peer
 pictures: install page ## take the pictures in docs/pictures from the running studio and from fail sweeps
 	KITROBOT_PICTURES=1 $(BIN)/pytest -q tests/studio/test_pictures.py
 	$(PY) -m tools.sweep_maps
+
+gallery: install page ## run every gallery mission in the studio and write docs/gallery-runs.md
+	KITROBOT_GALLERY=1 $(BIN)/pytest -n0 -q tests/studio/test_gallery_runs.py
 
 page: $(STAMP) ## build the page into the package, if it is stale
 	@$(PAGE) build

@@ -7,13 +7,19 @@ import itertools
 import re
 import struct
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 from typing import Any
 
 import pytest
 
+import kitrobot
 from kitrobot.live import runs
+from kitrobot.live.run_encoder import RunEncoder
 from kitrobot.live.watched_simulation import WatchedSimulation
+from kitrobot.sim.source import SimulationSource
 from tests.server.pages import FOREVER, TOKEN
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 
 
 @pytest.fixture
@@ -52,6 +58,14 @@ def test_a_frame_holds_the_tick_and_five_numbers_of_each_agent(connect, mission)
         tick, robots, things, x, y, heading, load, flags = struct.unpack("<8f", watcher.frames[0])
         assert (tick, robots, things) == (0, 1, 0)
         assert (x, y, heading, load, flags) == (2000, 1250, 0, 0, 0)
+
+
+def test_a_frame_says_how_many_things_there_are_and_holds_two_numbers_of_each():
+    source = SimulationSource(kitrobot.open(EXAMPLES / "tidy-up" / "tidy-up.krt").simulation(seed=1))
+    frame = RunEncoder(source.header).encode_frame(source.record())
+    numbers = struct.unpack(f"<{len(frame) // 4}f", frame)
+    assert numbers[:3] == (0, 1, 3)
+    assert numbers[3 + 5 :] == (700, 610, 1000, 585, 1250, 640)
 
 
 def test_at_full_speed_the_way_between_two_frames_comes_too(connect, mission, transport):

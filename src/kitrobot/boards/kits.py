@@ -16,7 +16,7 @@ from kitrobot.deploy.package.package import Package
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.disk import read_text
 from kitrobot.graph.model import Program
-from kitrobot.primitives.kit import Kit
+from kitrobot.primitives.kit import Kit, lacks
 from kitrobot.primitives.robot import Robot, RobotObject
 from kitrobot.primitives.team_objects import with_team
 from kitrobot.user_folders import config_folder
@@ -50,6 +50,11 @@ def mission_on_kit(opened: OpenMission, kit: Kit, folder: Path | None = None) ->
         else:
             found.append(_on_kit(opened, program, kit, beside, package))
     return found
+
+
+def absent_parts(robot: Robot, kit: Kit) -> list[RobotObject]:
+    """The actuators and sensors of a robot that a kit has nothing for."""
+    return [part for part in (*robot.actuators, *robot.sensors) if lacks(kit, part)]
 
 
 def text_on_kit(path: Path, robot: str, kit: Kit) -> ProgramOnKit:

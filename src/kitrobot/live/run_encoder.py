@@ -105,6 +105,7 @@ class RunEncoder:
         team = by_owner.get(TEAM, [])
         self._stock = _named("stock ", team)
         self._delivered = _named("delivered ", team)
+        # x and y of each thing, one after the other.
         self._things = [(at, header.columns[at].scale) for _, at in _named("thing ", team)]
         self._looked_at = self._first_agents()
         self._team = TeamSnapshotEncoder(header)
@@ -189,7 +190,7 @@ class RunEncoder:
             row = [_bounded(number) for number in row]
         numbers = [0.0 if at is None else row[at] * scale for at, scale in self._poses]
         numbers += [row[at] * scale for at, scale in self._things]
-        head = record.tick, len(self._agents), len(self._things)
+        head = record.tick, len(self._agents), len(self._things) // 2
         return struct.pack(f"<{len(head) + len(numbers)}f", *head, *numbers)
 
     def thread_positions(self, active: Sequence[Threads], agent: str) -> list[tuple[str, tuple[str | None, ...]]]:

@@ -25,9 +25,10 @@ _TICKS_BETWEEN_LOOKS = 8
 """Ticks run between two looks at the clock; fewer of very many robots, so that Stop is obeyed soon."""
 _ROBOT_TICKS_BETWEEN_LOOKS = 4000
 
-_PATH_INTERVAL_TICKS = 16
-"""Ticks between two points of the path that robots took since the last update, where more were run."""
-_MAX_PATH_BYTES = 16_000
+_PATH_INTERVAL_TICKS = 8
+"""Ticks between two points of the path that robots took since the last update, where more were run; a lamp that is on
+for longer is seen there."""
+_MAX_PATH_BYTES = 64_000
 """Bytes of that path; a longer one has its points further apart."""
 LONGEST_STEP_S = 600
 """How far in the run a step to another vertex goes, forward or back, where the agent stays where it is."""

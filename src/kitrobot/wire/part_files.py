@@ -54,9 +54,17 @@ class WorldEntryShape(BaseModel):
     problems: list[ProblemShape]
 
 
+class AbsentPartShape(BaseModel):
+    """A part of a robot that a kit has nothing for."""
+
+    category: Literal["actuator", "sensor"]
+    name: str
+
+
 class KitEntryShape(BaseModel):
     """What a robot can be built of; `micropython` is the least version that it needs, "" for any, and `firmware` the
-    page where its file says that it is to be had. `picture` is an SVG of it, drawn from its file.
+    page where its file says that it is to be had. `picture` is an SVG of it, drawn from its file. `absent` are the
+    parts that the kit has nothing for, by the robot whose parts they are.
     """
 
     name: str
@@ -65,6 +73,7 @@ class KitEntryShape(BaseModel):
     micropython: str
     firmware: str
     picture: str
+    absent: dict[str, list[AbsentPartShape]]
 
 
 class KitFitAskShape(BaseModel):

@@ -10,6 +10,12 @@ export interface Ability {
   label: Record<string, string>;
 }
 
+/** A part of a robot that a kit has nothing for. */
+export interface AbsentPart {
+  category: "actuator" | "sensor";
+  name: string;
+}
+
 /** The constructor, and its slot, that a branch adds itself to. */
 export interface Adds {
   constructor: string;
@@ -1002,7 +1008,8 @@ export type Kind = "procedure" | "test" | "value";
 
 /**
  * What a robot can be built of; `micropython` is the least version that it needs, "" for any, and `firmware` the page
- * where its file says that it is to be had. `picture` is an SVG of it, drawn from its file.
+ * where its file says that it is to be had. `picture` is an SVG of it, drawn from its file. `absent` are the parts that
+ * the kit has nothing for, by the robot whose parts they are.
  */
 export interface KitEntry {
   name: string;
@@ -1011,6 +1018,7 @@ export interface KitEntry {
   micropython: string;
   firmware: string;
   picture: string;
+  absent: Record<string, AbsentPart[]>;
 }
 
 /**

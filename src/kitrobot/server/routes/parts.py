@@ -7,9 +7,10 @@ from typing import Annotated, Literal, cast
 from fastapi import Depends, Query, Request
 
 from kitrobot.boards.kit_pictures import body_picture
-from kitrobot.boards.kits import program_on_kits
+from kitrobot.boards.kits import absent_parts, program_on_kits
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.primitives.robot import ValueType
+from kitrobot.primitives.kit import Kit
+from kitrobot.primitives.robot import Category, Robot, ValueType
 from kitrobot.server.routes.api_router import ThisStudio, api_router
 from kitrobot.text.sentences import Sentence, Series
 from kitrobot.translation.reader_language import translate
@@ -18,6 +19,7 @@ from kitrobot.wire.mission import mission_from_shape
 from kitrobot.wire.own_parts import OwnVariableShape, own_variable
 from kitrobot.wire.own_world import OwnWorldShape, own_world, own_world_shape
 from kitrobot.wire.part_files import (
+    AbsentPartShape,
     KitEntryShape,
     KitFitAskShape,
     KitFitShape,
@@ -101,6 +103,7 @@ def worlds(studio: ThisStudio, path: Name) -> list[WorldEntryShape]:
 def kits(studio: ThisStudio, path: Name) -> list[KitEntryShape]:
     """The kits that a robot can be built of, by their names."""
     found = kits_at_hand(studio.folder.folders_of(path)[0])
+    robots = studio.catalogue(path).robots
     return [
         KitEntryShape(
             name=name,
@@ -109,8 +112,17 @@ def kits(studio: ThisStudio, path: Name) -> list[KitEntryShape]:
             micropython=kit.micropython,
             firmware=kit.firmware,
             picture=body_picture(kit),
+            absent={name: _absent(robot, kit) for name, robot in robots.items()},
         )
         for name, kit in sorted(found.items())
+    ]
+
+
+def _absent(robot: Robot, kit: Kit) -> list[AbsentPartShape]:
+    found = [(part.category, part.name) for part in absent_parts(robot, kit)]
+    return [
+        AbsentPartShape(category="actuator" if category is Category.ACTUATOR else "sensor", name=name)
+        for category, name in found
     ]
 
 

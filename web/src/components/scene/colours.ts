@@ -3,6 +3,7 @@ import { token } from "../../theme";
 
 const NAMES = {
   ground: "arena-ground",
+  tile: "arena-tile",
   grid: "arena-grid",
   road: "arena-road",
   kerb: "arena-kerb",
@@ -16,6 +17,9 @@ const NAMES = {
   slot: "arena-slot",
   box: "arena-box",
   boxLine: "arena-box-line",
+  ball: "arena-ball",
+  ballLight: "arena-ball-light",
+  ballLine: "arena-ball-line",
   robot: "arena-robot",
   bed: "arena-robot-bed",
   robotLine: "arena-robot-line",

@@ -1,13 +1,44 @@
-/** Boxes and balls that can be pushed, drawn plainly where they are. */
+/** Boxes and balls that can be pushed, where they are: crates, and balls with a seam, on their shade. */
 import type { World } from "../../model/types";
 import { toScreen } from "./camera";
 import { type Brush, drawBox } from "./draw-world";
 
 export type Place = readonly [x_mm: number, y_mm: number];
 
+/** A tennis ball, lit from the left above. */
+function drawBall({ pen, colours }: Brush, x: number, y: number, radius: number): void {
+  pen.beginPath();
+  pen.ellipse(x + radius * 0.16, y + radius * 0.2, radius, radius * 0.96, 0, 0, Math.PI * 2);
+  pen.fillStyle = colours.shade;
+  pen.fill();
+  pen.save();
+  pen.beginPath();
+  pen.arc(x, y, radius, 0, Math.PI * 2);
+  pen.clip();
+  pen.fillStyle = colours.ball;
+  pen.fill();
+  pen.beginPath();
+  pen.arc(x - radius * 0.3, y - radius * 0.34, radius * 0.42, 0, Math.PI * 2);
+  pen.fillStyle = colours.ballLight;
+  pen.fill();
+  pen.lineWidth = Math.max(radius / 6, 1);
+  pen.strokeStyle = colours.ballLine;
+  for (const side of [-1, 1]) {
+    pen.beginPath();
+    pen.arc(x + side * radius * 1.35, y, radius, 0, Math.PI * 2);
+    pen.stroke();
+  }
+  pen.restore();
+  pen.beginPath();
+  pen.arc(x, y, radius, 0, Math.PI * 2);
+  pen.strokeStyle = colours.robotLine;
+  pen.lineWidth = Math.max(radius / 12, 0.75);
+  pen.stroke();
+}
+
 /** `places` are those of a run, in the order of the world's things; without one a thing is where the world says. */
 export function drawThings(brush: Brush, world: World, places: readonly Place[]): void {
-  const { pen, camera, colours } = brush;
+  const { pen, camera } = brush;
   for (const [at, thing] of (world.things ?? []).entries()) {
     const [x, y] = toScreen(camera, ...(places[at] ?? ([thing.x_mm, thing.y_mm] as const)));
     const [width, height] = [thing.width_mm * camera.scale, thing.height_mm * camera.scale];
@@ -19,12 +50,6 @@ export function drawThings(brush: Brush, world: World, places: readonly Place[])
       pen.restore();
       continue;
     }
-    pen.beginPath();
-    pen.arc(x, y, width / 2, 0, Math.PI * 2);
-    pen.fillStyle = colours.bed;
-    pen.fill();
-    pen.strokeStyle = colours.robotLine;
-    pen.lineWidth = Math.max(width / 18, 0.75);
-    pen.stroke();
+    drawBall(brush, x, y, width / 2);
   }
 }

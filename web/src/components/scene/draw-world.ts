@@ -8,14 +8,15 @@ import type { World } from "../../model/types";
 import { fontOf } from "../../theme";
 import { type Camera, type Room, toScreen } from "./camera";
 import type { Colours } from "./colours";
+import { drawFloor } from "./draw-floor";
 import { boundsOf, isIn, lineOf, placeAlong, ROBOT_MM } from "./geometry";
 import type { Scene } from "./scene";
 
 /** A robot is drawn this long. */
 const ROBOT_UNITS = 54;
 const LEAST_UNIT = 0.85;
-const GRID_MM = 100;
-const FLOOR_ALPHA = 0.55;
+/** The shade of a wall lies so far to the right of it and below, in units. */
+const SHADE_UNITS = 2.5;
 
 export interface Brush {
   pen: CanvasRenderingContext2D;
@@ -56,27 +57,6 @@ function trace(brush: Brush, road: Road): void {
   pen.beginPath();
   for (const [x, y] of lineOf(road)) pen.lineTo(...toScreen(camera, x, y));
   if (road.closed) pen.closePath();
-}
-
-function ground({ pen, camera, room, colours }: Brush, world: World): void {
-  pen.fillStyle = colours.ground;
-  pen.fillRect(0, 0, room.width, room.height);
-  let step = GRID_MM;
-  while (step * camera.scale < 24) step *= 2;
-  pen.strokeStyle = colours.grid;
-  pen.lineWidth = 1;
-  pen.beginPath();
-  const [left, top] = toScreen(camera, 0, world.height_mm);
-  const gap = step * camera.scale;
-  for (let x = left % gap; x < room.width; x += gap) {
-    pen.moveTo(Math.round(x) + 0.5, 0);
-    pen.lineTo(Math.round(x) + 0.5, room.height);
-  }
-  for (let y = top % gap; y < room.height; y += gap) {
-    pen.moveTo(0, Math.round(y) + 0.5);
-    pen.lineTo(room.width, Math.round(y) + 0.5);
-  }
-  pen.stroke();
 }
 
 function drawRoad(brush: Brush, road: Road): void {
@@ -250,49 +230,27 @@ function armOf(scene: Scene, house: Storehouse): string {
 
 function drawWalls({ pen, camera, colours, unit }: Brush, world: World): void {
   if (world.walls.length === 0) return;
-  pen.beginPath();
-  for (const wall of world.walls) {
-    pen.moveTo(...toScreen(camera, wall.x1, wall.y1));
-    pen.lineTo(...toScreen(camera, wall.x2, wall.y2));
-  }
+  const trace = (off: number) => {
+    pen.beginPath();
+    for (const wall of world.walls) {
+      const [[x1, y1], [x2, y2]] = [toScreen(camera, wall.x1, wall.y1), toScreen(camera, wall.x2, wall.y2)];
+      pen.moveTo(x1 + off, y1 + off);
+      pen.lineTo(x2 + off, y2 + off);
+    }
+  };
   pen.lineCap = "round";
-  pen.strokeStyle = colours.road;
   pen.lineWidth = Math.max(4 * unit, 3);
+  pen.strokeStyle = colours.shade;
+  trace(SHADE_UNITS * unit);
   pen.stroke();
-}
-
-/** Coloured parts of the floor, paler than lines, so that lines and robots stand out on them. */
-function drawFloors({ pen, camera, colours }: Brush, world: World): void {
-  pen.save();
-  pen.globalAlpha = FLOOR_ALPHA;
-  for (const floor of world.floors) {
-    pen.beginPath();
-    for (const [x, y] of floor.points) pen.lineTo(...toScreen(camera, x, y));
-    pen.fillStyle = colours[floor.colour];
-    pen.fill("evenodd");
-  }
-  pen.restore();
-}
-
-/** Coloured lines on the floor, the last one on top as the robots see it. */
-function drawLines({ pen, camera, colours }: Brush, world: World): void {
-  pen.lineJoin = "round";
-  pen.lineCap = "butt";
-  for (const line of world.lines) {
-    pen.beginPath();
-    for (const [x, y] of line.points) pen.lineTo(...toScreen(camera, x, y));
-    if (line.closed) pen.closePath();
-    pen.strokeStyle = colours[line.colour];
-    pen.lineWidth = line.width_mm * camera.scale;
-    pen.stroke();
-  }
+  pen.strokeStyle = colours.road;
+  trace(0);
+  pen.stroke();
 }
 
 export function drawWorld(brush: Brush, scene: Scene): void {
   const { world } = scene;
-  ground(brush, world);
-  drawFloors(brush, world);
-  drawLines(brush, world);
+  drawFloor(brush, world);
   for (const road of world.roads) drawRoad(brush, road);
   for (const dock of world.docks) drawDock(brush, dock, world);
   for (const road of world.roads) drawSigns(brush, road);

@@ -14,9 +14,11 @@ export interface Place {
 }
 
 type Point = readonly [number, number];
+/** What a road and a line on the floor have in common. */
+type Course = Pick<Road, "closed" | "points">;
 
 /** The corners of the line, with the first one again at the end of a closed road. */
-export function lineOf(road: Road): readonly Point[] {
+export function lineOf(road: Course): readonly Point[] {
   const first = road.points[0];
   const last = road.points.at(-1);
   if (!road.closed || first === undefined || last === undefined) return road.points;
@@ -59,7 +61,7 @@ export function placeAlong(road: Road, at_mm: number): Place | null {
 }
 
 /** How far along the road the nearest point of it lies, and how far off that is. */
-export function nearestOn(road: Road, x: number, y: number): { along: number; off: number } {
+export function nearestOn(road: Course, x: number, y: number): { along: number; off: number } {
   const line = lineOf(road);
   let best = { along: 0, off: Infinity };
   let passed = 0;

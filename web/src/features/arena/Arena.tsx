@@ -123,7 +123,13 @@ export function Arena() {
     const [box, drawn] = [frame.current, canvas.current];
     if (box === null || drawn === null) return;
     const still = matchMedia("(prefers-reduced-motion: reduce)");
-    const made = new Painter(drawn, () => !still.matches);
+    const made = new Painter(
+      drawn,
+      () => !still.matches,
+      ({ scale, x, y }) => {
+        drawn.dataset["camera"] = [scale, x, y].join(" ");
+      },
+    );
     setPainter(made);
     const watcher = new ResizeObserver(([entry]) => {
       if (entry !== undefined) made.resize(entry.contentRect.width, entry.contentRect.height);

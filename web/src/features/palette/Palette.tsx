@@ -12,6 +12,7 @@ import { isOwn } from "../../session/custom-blocks";
 import { complain } from "../../session/document";
 import { setBin } from "../../session/drag";
 import { addPart } from "../../session/edits";
+import { useKit } from "../../session/kit";
 import { useReveal } from "../../session/reveal";
 import { newVariable, useVariables, variableKey } from "../../session/variables";
 import { Icon } from "../../theme";
@@ -21,9 +22,10 @@ import { ownKey } from "./custom-row";
 import { PaletteRow } from "./PaletteRow";
 import { PaletteTabs, sectionId } from "./PaletteTabs";
 import { RobotButton } from "./RobotButton";
-import { type Row, rowOfPart, tabsOf } from "./tree";
+import { partsOfKit, type Row, rowOfPart, tabsOf } from "./tree";
 import { VariableMenu } from "./VariableMenu";
 
+const KitNote = later(() => import("./KitNote").then((chunk) => chunk.KitNote), complain);
 const VariableForm = later(() => import("./VariableForm").then((chunk) => chunk.VariableForm), complain);
 
 export function Palette() {
@@ -35,8 +37,9 @@ export function Palette() {
   const list = useRef<HTMLDivElement>(null);
   const bin = useRef<HTMLDivElement>(null);
   const find = useRef<HTMLInputElement>(null);
+  const kit = useKit((state) => state.kit);
   const parts = partsOf(catalogue, robot);
-  const tabs = useMemo(() => tabsOf(parts, query), [parts, query]);
+  const tabs = useMemo(() => tabsOf(partsOfKit(parts, kit, robot), query), [parts, kit, robot, query]);
   const items = useMemo(() => tabs.flatMap(({ rows }) => rows), [tabs]);
   const current = items.some((row) => row.key === at) ? at : (items[0]?.key ?? "");
 
@@ -113,6 +116,7 @@ export function Palette() {
       <Bin />
       <div className="palette-head rigid">
         <RobotButton />
+        {kit === null ? null : <KitNote />}
         <label className="palette-find row muted rigid">
           <Icon name="search" />
           <input

@@ -10,6 +10,7 @@ import { type Parts, type Shape, shortTitle, title } from "../../model/parts";
 import { rank } from "../../model/part-search";
 import { TEAM_ROBOT } from "../../model/team-robot";
 import { text } from "../../model/texts";
+import { type BuiltKit, isAbsent } from "../../session/kit";
 import type { Colour, Group, RobotObject } from "../../model/types";
 
 export type Row =
@@ -52,6 +53,12 @@ function standsAlone(shape: Shape): boolean {
   const { object, method } = shape;
   if (object === null) return true;
   return object.category === "actuator" && (method?.alone === true || placeOf(shape) < LAST_PLACE);
+}
+
+/** The parts without those that a kit has nothing for. */
+export function partsOfKit(parts: Parts, kit: BuiltKit | null, robot: string): Parts {
+  if (kit === null) return parts;
+  return { ...parts, all: parts.all.filter(({ object }) => object === null || !isAbsent(kit, robot, object)) };
 }
 
 export function tabsOf(parts: Parts, query: string): Tab[] {

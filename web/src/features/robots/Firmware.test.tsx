@@ -3,9 +3,13 @@ import { createElement } from "react";
 import { renderToStaticMarkup } from "react-dom/server";
 import { expect, test } from "vitest";
 
+import type { KitEntry } from "../../api/generated";
 import { FirmwareNeed } from "./Firmware";
 
-const KIT = { name: "xrp", label: {}, help: {}, micropython: "1.25", firmware: "https://example.org/xrp", picture: "" };
+const KIT: KitEntry = {
+  ...{ name: "xrp", label: {}, help: {}, picture: "", absent: {} },
+  ...{ micropython: "1.25", firmware: "https://example.org/xrp" },
+};
 
 function drawn(has: string, kit = KIT, page = ""): string {
   return renderToStaticMarkup(createElement(FirmwareNeed, { kit, has, page }));

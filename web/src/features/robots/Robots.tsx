@@ -17,6 +17,7 @@ import { isMine, MOST_ADDRESS, placesOf, useBoards } from "./boards";
 import { EmptyRobots } from "./EmptyRobots";
 import { FindBoard } from "./FindBoard";
 import { FirmwarePart } from "./Firmware";
+import { KitAtHand } from "./KitAtHand";
 import { KitSheet } from "./KitSheet";
 import { reach } from "./serial";
 import { connect, send } from "./socket";
@@ -142,7 +143,10 @@ function Places() {
           ))}
         </ul>
       ) : state.ports === null || (inPage() && reach() !== "there") ? null : (
-        <EmptyRobots />
+        <>
+          <EmptyRobots />
+          <KitAtHand />
+        </>
       )}
       <FindBoard />
       {inPage() ? (

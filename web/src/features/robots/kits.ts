@@ -30,6 +30,11 @@ export function useKitsAt(path: string): readonly KitEntry[] | null {
   return kits;
 }
 
+/** What is known of a kit; null for the robot's own file, and before the kits are known. */
+export function knownKit(name: string): KitEntry | null {
+  return useKits.getState().kits?.find((kit) => kit.name === name) ?? null;
+}
+
 interface Asking {
   /** The robot that it is asked of. */
   address: string;

@@ -1,11 +1,12 @@
 /**
- * What a run did, in words, from what is known of it: the shape that was drawn, how far was driven, what was pushed and
- * delivered, goals. It knows nothing of any mission.
+ * What a run did, in words, from what is known of it: the shape that was drawn, what was delivered, pushed, found and
+ * touched (`deeds.ts`), how far was driven, goals. It knows nothing of any mission.
  *
  * Green is only for a goal; amber says that nothing came of it, red what the run itself calls a failure.
  */
 import { decimal } from "../../../i18n/numbers";
 import { t } from "../../../i18n/words";
+import type { Deed } from "./deeds";
 import { commonOf, joinLines, lengthOf, type Line, shapeOf } from "./shape";
 
 export type Tone = "goal" | "plain" | "nothing" | "failure";
@@ -30,13 +31,17 @@ export interface Facts {
   lines: readonly Line[];
   /** Of each robot its name and how far it drove, in mm. */
   driven: readonly { name: string; mm: number }[];
-  pushed: number;
+  tickMs: number;
+  /** What else robots did, the most telling first. */
+  deeds: readonly Deed[];
   /** Whether anything else was seen or heard of a robot: light, sound, turning, messages. */
   acted: boolean;
 }
 
 /** Less than this is no movement, in mm. */
 const STILL_MM = 10;
+/** So many sentences stand before the one that says how the run ended. */
+const MOST_SAID = 5;
 /** More lines than this are not counted one by one. */
 const MOST_LINES = 12;
 
@@ -87,15 +92,64 @@ function drivenWords(driven: Facts["driven"]): string | null {
   return t("account.drove-many", { count: moved.length, length });
 }
 
+function colourHoles({ name, colour, tick }: Extract<Deed, { kind: "found" | "left" }>, tickMs: number) {
+  return { name, colour: t(`world.${colour}`), time: `${decimal((tick * tickMs) / 1000, 1, 1)} s` };
+}
+
+/** A deed as a sentence. */
+export function deedWords(deed: Deed, tickMs: number): string {
+  switch (deed.kind) {
+    case "delivered":
+      return t("arena.delivered-of", { done: deed.done, total: deed.total });
+    case "pushed":
+      return t("account.pushed", { count: deed.count, length: lengthWords(deed.mm) });
+    case "found":
+      return t("account.found", colourHoles(deed, tickMs));
+    case "left":
+      return t("account.left", colourHoles(deed, tickMs));
+    case "followed":
+      return t("account.followed", { name: deed.name, length: lengthWords(deed.mm) });
+    case "returned":
+      return deed.count === 1
+        ? t("account.returned", { name: deed.name })
+        : t("account.returned-many", { count: deed.count });
+    case "before-wall":
+      return t("account.before-wall", { name: deed.name, length: lengthWords(deed.mm) });
+    case "apart":
+      return t("account.apart", { count: deed.count, least: lengthWords(deed.least), most: lengthWords(deed.most) });
+    case "changed":
+      return `${deed.name} ${deed.text}.`;
+    case "touched":
+      return t("account.touched", { count: deed.count });
+    case "untouched":
+      return t("account.untouched");
+    case "lit":
+      return deed.robots === 1
+        ? t("account.lit", { count: deed.count, name: deed.name })
+        : t("account.lit-many", { count: deed.count, robots: deed.robots });
+    case "turned":
+      return t("account.turned", { name: deed.name, angle: deed.angle });
+    case "used":
+      return t("account.used", { name: deed.name, parts: deed.parts.join(", ") });
+    case "counted":
+      return t("account.counted", { name: deed.name, value: decimal(deed.value) });
+  }
+}
+
 export function accountOf(facts: Facts): Account {
-  const { sentence, goals, pushed } = facts;
+  const { sentence, goals, deeds, tickMs } = facts;
   if (!facts.done) return { tone: "failure", title: sentence, more: [] };
   const [drawn, drove] = [drawnWords(facts.lines), drivenWords(facts.driven)];
+  const said = deeds.map((deed) => deedWords(deed, tickMs));
+  const along = deeds.some(({ kind }) => kind === "followed");
+  // What was done comes first; how far was driven stands after the most telling of it.
   const found = [
     ...(drawn === null ? [] : [drawn.title, ...drawn.more]),
-    ...(pushed > 0 ? [t("account.pushed", { count: pushed })] : []),
-    ...(drove === null ? [] : [drove]),
-  ];
+    ...said.slice(0, 1),
+    // Who followed a line drove as far as that says.
+    ...(drove === null || (along && facts.driven.length === 1) ? [] : [drove]),
+    ...said.slice(1),
+  ].slice(0, MOST_SAID);
   if (goals.count > 0 && goals.reached === goals.count) {
     return {
       tone: "goal",

@@ -30,7 +30,7 @@ beforeEach(async () => {
   end = await setPath(lesson("a", 1), lesson("b", 2, { begin }));
   useRun.setState({ ...begun, status: "done", sentence: "Done.", name: "run-1" });
   const facts = { done: true, sentence: "Done.", atOnce: false, goals: { reached: 0, count: 0 }, lines: [] };
-  setFacts({ ...facts, driven: [{ name: "robot-1", mm: 300 }], pushed: 0, acted: true }, "run-1");
+  setFacts({ ...facts, driven: [{ name: "robot-1", mm: 300 }], tickMs: 20, deeds: [], acted: true }, "run-1");
   page = mount(<Ending painter={{ setCovered: () => undefined } as unknown as Painter} />);
   hands = handsOn(page);
 });

@@ -85,6 +85,8 @@ export class StageLayers implements Layers {
 
   /** `joined`: the frame follows on the one before, however far apart they are. */
   record(frame: PoseFrame, joined: boolean): void {
+    // A short run is over before anything of the page was drawn for it.
+    this.begin(useRun.getState().name);
     this.trails.record(frame, joined);
     this.motion.record(frame);
     this.diary.record(frame);

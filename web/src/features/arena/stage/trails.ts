@@ -66,6 +66,11 @@ export class Trails {
     return this.box;
   }
 
+  /** The places of each robot that are kept, in mm, with their ticks. */
+  get ways(): readonly Pick<Trail, "xs" | "ys" | "ticks">[] {
+    return this.trails;
+  }
+
   /** How far each robot drove, in mm. */
   get driven(): number[] {
     return this.trails.map(({ before, xs }, at) => before + xs.reduce((sum, _, end) => sum + this.piece(at, end), 0));
