@@ -30,6 +30,7 @@ from kitrobot.sim.physics.pushable_grid import (
     row_of,
     sort_into_cells,
 )
+from kitrobot.sim.physics.wall_contacts import is_crossed
 from kitrobot.sim.tables.columns import DT, MOVED, PUSHABLES, RADIUS, ROAD, WAY, X, Y
 from kitrobot.sim.tables.state import Pushables, State, Walls
 
@@ -300,7 +301,7 @@ def wall_overlap(i: int, w: int, pushables: Pushables, walls: Walls) -> tuple[fl
     across = ay * ux - ax * uy
     before = (was_y - ends[1][w]) * ux - (was_x - ends[0][w]) * uy
     came = (was_x - ends[0][w]) * ux + (was_y - ends[1][w]) * uy
-    if before * across < 0.0 and 0.0 <= along <= length and 0.0 <= came <= length:
+    if is_crossed(before, across, came, along, length):
         # It was pushed onto the wall with more than its half: back to where it came from.
         side = 1.0 if before > 0.0 else -1.0
         return -uy * side, ux * side, abs(across) + (wide if ball else abs(uy) * wide + abs(ux) * high)

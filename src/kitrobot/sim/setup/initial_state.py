@@ -211,8 +211,8 @@ class Tables:
         )
 
     def _smallest(self, robots: Robots) -> float:
-        """Half the width of the smallest body."""
-        sizes = [self.floats[c.RADIUS][i] for i in robots.solid]
+        """How far whoever moves may go at once, whatever it meets."""
+        sizes = [self.floats[c.RADIUS][i] / 2 for i in robots.solid]
         sizes += [self.floats[c.LENGTH][i] / 2 for i in robots.guided]
         sizes += [min(one.width_mm, one.height_mm) / 2 for one in self.world.boxes]
         return min(sizes + [one.radius_mm for one in self.world.balls], default=math.inf)
