@@ -78,7 +78,8 @@ def separate_from_walls(piece: int, robots: Robots, walls: Walls, pairs: list[in
 
 def hold_at_walls(i: int, was_x: float, was_y: float, state: State) -> bool:
     """Moves disc i, which was pushed from a place, out of walls and back over those it was pushed over; gives whether
-    a wall held it."""
+    a wall held it.
+    """
     walls = state.walls
     if len(walls.grid.items) == 0:
         return False
