@@ -16,10 +16,10 @@ from kitrobot.primitives.robot import Robot, RobotObject
 from kitrobot.primitives.team_objects import TEAM
 from kitrobot.sim.devices import Actuator, Device, Placement, Sensor, Values, actuators, sensors, ticks
 from kitrobot.sim.physics.angles import direction
-from kitrobot.sim.physics.contacts import TOUCH_MM
 from kitrobot.sim.physics.grids import FEW
 from kitrobot.sim.physics.pushable_grid import pushable_tables, pushable_walls
 from kitrobot.sim.physics.step import arrange
+from kitrobot.sim.physics.wall_contacts import TOUCH_MM
 from kitrobot.sim.setup.device_tables import DeviceTables, FittedDevice
 from kitrobot.sim.setup.radio_tables import beat_steps, delay_steps, radio_tables
 from kitrobot.sim.setup.shared_tables import SharedTables
