@@ -118,6 +118,21 @@ def test_a_wall_holds_who_goes_its_own_radius_in_a_step(length: float, radii: in
     assert rows(run, 1)[0][0] == pytest.approx(1200 - length / 2, abs=1e-6)
 
 
+@pytest.mark.parametrize("speed", [400, 2000, 10_000])
+@pytest.mark.parametrize("mass_g", [20.0, 1000.0, 100_000.0])
+@pytest.mark.parametrize("shape", [Box, Ball])
+def test_a_wall_holds_who_is_pressed_against_it_by_an_object(shape: type, mass_g: float, speed: float) -> None:
+    ball = Ball(300.0, 600.0, 40.0, mass_g, 0.05)
+    box = Box(300.0, 600.0, 60.0, 60.0, mass_g, 0.5)
+    things = {"boxes": (box,)} if shape is Box else {"balls": (ball,)}
+    poses = {"a": (180.0, 600.0, 0.0), "b": (600.0, 600.0, 3.141592653589793)}
+    agents = {"a": (driver(1000, name="a"), "Wheel.Reverse(100); WAIT(40);"), "b": (driver(speed, name="b"), GO)}
+    run = ended(run_of(agents, room(poses, Wall(100.0, 0.0, 100.0, 1200.0), **things)))
+    (held, _, _, _), (pushing, _, _, _) = rows(run, 2)
+    assert 100 + 67.4 < held < pushing
+    assert float(run.state.pushables.floats[PUSH_X][0]) > 100
+
+
 @pytest.mark.parametrize("seed", range(examples(12, 1000)))
 def test_nobody_is_pushed_through_the_walls_of_a_closed_room(seed: int) -> None:
     """Robots that are pressed against a wall by others, balls that are pushed into a corner."""
