@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 from collections.abc import Mapping
 from dataclasses import replace
 from itertools import pairwise
@@ -14,10 +15,11 @@ from kitrobot.sim.physics.pushable_grid import PUSH_X, PUSH_Y
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.tables.columns import AT, HEADING, SPEED, X, Y
 from kitrobot.world.model import Ball, Box, Wall, World
-from tests.effort import cases
+from tests.effort import cases, examples
 from tests.sim.building import AVATAR, WHEEL, catalogue, empty_world, run_of, transport
 
 GO = "Wheel.Advance(100); WAIT(200);"
+BACK = "Wheel.Advance(100); WAIT(9); Wheel.Reverse(100); WAIT(7); Wheel.Advance(70); WAIT(20);"
 
 
 def driver(speed: float = 400, tick: int = 20, length: float = 135, name: str = "avatar") -> Robot:
@@ -105,6 +107,54 @@ def test_nobody_jumps_over_a_box_or_a_ball_and_a_wall_holds_it(speed: float, tic
         assert robot < place < 5000
     assert place < 5000
     assert robot <= 5000 - 67
+
+
+@pytest.mark.parametrize("length", [40, 60, 120])
+@pytest.mark.parametrize("radii", [1, 2, 7])
+def test_a_wall_holds_who_goes_its_own_radius_in_a_step(length: float, radii: int) -> None:
+    """Its middle would come exactly onto the wall, which then knows no side."""
+    robot = driver(radii * length / 2 / 0.02, 20, length)
+    run = ended(run_of({"a": (robot, GO)}, room({"a": (700.0, 600.0, 0.0)}, Wall(1200.0, 0.0, 1200.0, 1200.0))))
+    assert rows(run, 1)[0][0] == pytest.approx(1200 - length / 2, abs=1e-6)
+
+
+@pytest.mark.parametrize("speed", [400, 2000, 10_000])
+@pytest.mark.parametrize("mass_g", [20.0, 1000.0, 100_000.0])
+@pytest.mark.parametrize("shape", [Box, Ball])
+def test_a_wall_holds_who_is_pressed_against_it_by_an_object(shape: type, mass_g: float, speed: float) -> None:
+    ball = Ball(300.0, 600.0, 40.0, mass_g, 0.05)
+    box = Box(300.0, 600.0, 60.0, 60.0, mass_g, 0.5)
+    things = {"boxes": (box,)} if shape is Box else {"balls": (ball,)}
+    poses = {"a": (180.0, 600.0, 0.0), "b": (600.0, 600.0, 3.141592653589793)}
+    agents = {"a": (driver(1000, name="a"), "Wheel.Reverse(100); WAIT(40);"), "b": (driver(speed, name="b"), GO)}
+    run = ended(run_of(agents, room(poses, Wall(100.0, 0.0, 100.0, 1200.0), **things)))
+    (held, _, _, _), (pushing, _, _, _) = rows(run, 2)
+    assert 100 + 67.4 < held < pushing
+    assert float(run.state.pushables.floats[PUSH_X][0]) > 100
+
+
+@pytest.mark.parametrize("seed", range(examples(12, 1000)))
+def test_nobody_is_pushed_through_the_walls_of_a_closed_room(seed: int) -> None:
+    """Robots that are pressed against a wall by others, balls that are pushed into a corner."""
+    rng = random.Random(seed)
+    size = 900.0
+    places = [(x, y) for x in (150.0, 350.0, 550.0, 750.0) for y in (150.0, 350.0, 550.0, 750.0)]
+    rng.shuffle(places)
+    poses = {f"r{n}": (x, y, rng.uniform(-3.1, 3.1)) for n, (x, y) in enumerate(places[:6])}
+    agents = {
+        name: (driver(rng.choice([400, 1000, 2000, 5000]), 20, rng.choice([60, 100, 135]), f"avatar-{name}"), BACK)
+        for name in poses
+    }
+    balls = tuple(Ball(x, y, rng.uniform(10, 40), 20.0, 0.05) for x, y in places[6:8])
+    corners = [(0.0, 0.0), (size, 0.0), (size, size), (0.0, size)]
+    walls = [Wall(*one, *other) for one, other in pairwise([*corners, corners[0]])]
+    run = run_of(agents, room(poses, *walls, balls=balls))
+    floats = run.state.pushables.floats
+    while run.outcome is None and run.seconds < 4:
+        run.step()
+        middles = [(x, y) for x, y, _, _ in rows(run, 6)]
+        middles += [(float(floats[PUSH_X][k]), float(floats[PUSH_Y][k])) for k in range(2)]
+        assert all(0 < x < size and 0 < y < size for x, y in middles), (run.seconds, middles)
 
 
 @pytest.mark.parametrize(("speed", "tick"), cases([(400, 1000), (60_000, 20)], [(8000, 20), (60_000, 1000)]))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from kitrobot.primitives.robot import RobotObject
 from kitrobot.sim.devices.base import LATENCY, LOST_READINGS, WRONG, Discrete, Sensor, Setting, Values
-from kitrobot.sim.physics.contacts import TOUCH_MM
 from kitrobot.sim.physics.sight import ray_to_discs
+from kitrobot.sim.physics.wall_contacts import TOUCH_MM
 from kitrobot.sim.tables.columns import (
     DIRECTED,
     ENDED,

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import math
 
-from kitrobot.sim.physics.grids import cell_at
 from kitrobot.sim.physics.motion import is_last, is_moving, nudge
+from kitrobot.sim.physics.wall_contacts import TOUCH_MM, add_pair, hold_at_walls
 from kitrobot.sim.tables.columns import (
     AT,
     CLOSED,
@@ -30,10 +30,7 @@ from kitrobot.sim.tables.columns import (
     X,
     Y,
 )
-from kitrobot.sim.tables.state import Contacts, Grid, Roads, Robots, Walls
-
-TOUCH_MM = 0.5
-"""Nearer than this is touching."""
+from kitrobot.sim.tables.state import Contacts, Roads, Robots, State
 
 
 def sort_along(robots: Robots) -> None:
@@ -139,66 +136,14 @@ def separate_on_roads(piece: int, robots: Robots, roads: Roads, pairs: list[int]
     return count
 
 
-def separate_from_walls(piece: int, robots: Robots, walls: Walls, pairs: list[int], count: int) -> int:
-    """Free robots slide along walls and never through them; the wheels of one that goes straight at a wall slip.
-
-    The grid's cells hold every wall that a robot with its middle in them can touch.
-    """
-    starts = walls.grid.starts
-    items = walls.grid.items
-    if len(items) == 0:
-        return count
-    who = robots.free_solid
-    floats = robots.floats
-    x = floats[X]
-    y = floats[Y]
-    radius = floats[RADIUS]
-    ends = walls.floats
-    x1 = ends[0]
-    y1 = ends[1]
-    x2 = ends[2]
-    y2 = ends[3]
-    for n in range(len(who)):
-        i = who[n]
-        if piece > 0 and not is_moving(i, piece, robots):
-            continue
-        c = cell_at(x[i], y[i], walls.grid)
-        if c < 0:
-            continue
-        for k in range(starts[c], starts[c + 1]):
-            w = items[k]
-            dx = x2[w] - x1[w]
-            dy = y2[w] - y1[w]
-            nx = x[i] - x1[w]
-            ny = y[i] - y1[w]
-            squared = dx * dx + dy * dy
-            if squared > 0.0:
-                part = (nx * dx + ny * dy) / squared
-                if part >= 1.0:
-                    nx -= dx
-                    ny -= dy
-                elif part > 0.0:
-                    nx -= part * dx
-                    ny -= part * dy
-            near = radius[i] + TOUCH_MM
-            if nx > near or nx < -near or ny > near or ny < -near:
-                continue
-            distance = math.sqrt(nx * nx + ny * ny)
-            if distance > near or distance == 0.0:
-                continue
-            if is_last(i, i, piece, robots):
-                count = add_pair(i, -1 - w, pairs, count)
-            if distance < radius[i]:
-                x[i] += (radius[i] - distance) * (nx / distance)
-                y[i] += (radius[i] - distance) * (ny / distance)
-    return count
-
-
-def separate_discs(piece: int, robots: Robots, grid: Grid, pairs: list[int], count: int) -> int:
+def separate_discs(piece: int, state: State, count: int) -> int:
     """Robots that are not on one road keep their discs apart; guided ones stay. The grid was filled a moment ago.
 
     Two that meet in several cells are looked at in the first of them.
     """
+    robots = state.robots
+    grid = state.grid
+    pairs = state.contacts.pairs
     ints = robots.ints
     road = ints[ROAD]
     low_x = ints[LOW_X]
@@ -236,22 +181,25 @@ def separate_discs(piece: int, robots: Robots, grid: Grid, pairs: list[int], cou
                     count = add_pair(min(i, j), max(i, j), pairs, count)
                 if distance >= near or (road[i] >= 0 and road[j] >= 0):
                     continue
-                push_apart(i, j, dx, dy, distance, robots)
+                push_apart(i, j, dx, dy, distance, state)
     return count
 
 
-def push_apart(i: int, j: int, dx: float, dy: float, distance: float, robots: Robots) -> None:
-    """Moves two discs apart that overlap, one of them free; (dx, dy) is from the first to the other."""
+def push_apart(i: int, j: int, dx: float, dy: float, distance: float, state: State) -> None:
+    """Moves two discs apart that overlap, one of them free; (dx, dy) is from the first to the other.
+
+    Each gives way by half, a guided one not at all. Of what a wall does not let one go, the other one goes.
+    """
+    robots = state.robots
     floats = robots.floats
     road = robots.ints[ROAD]
-    x = floats[X]
-    y = floats[Y]
     way = floats[WAY]
     ux = floats[UX]
     uy = floats[UY]
-    push = floats[RADIUS][i] + floats[RADIUS][j]
+    near = floats[RADIUS][i] + floats[RADIUS][j]
+    push = near
     if distance > 0.0:
-        push = (push - distance) / distance
+        push = (near - distance) / distance
     elif way[i] != 0.0 and road[i] < 0:
         # They met middle on middle: each is put back to where it came from.
         dx = math.copysign(ux[i], ux[i] * way[i])
@@ -267,19 +215,36 @@ def push_apart(i: int, j: int, dx: float, dy: float, distance: float, robots: Ro
     elif road[j] >= 0:
         first = 1.0
     nudge(i, j, robots)
-    x[i] -= first * push * dx
-    y[i] -= first * push * dy
-    x[j] += (1.0 - first) * push * dx
-    y[j] += (1.0 - first) * push * dy
+    is_held = push_disc(i, -first * push * dx, -first * push * dy, state)
+    is_other_held = push_disc(j, (1.0 - first) * push * dx, (1.0 - first) * push * dy, state)
+    if is_held:
+        give_way(j, i, near, state)
+    if is_other_held:
+        give_way(i, j, near, state)
 
 
-def add_pair(one: int, other: int, pairs: list[int], count: int) -> int:
-    """Writes a pair behind those that are there, as far as there is room; gives how many there are now."""
-    if 2 * count >= len(pairs):
-        return count
-    pairs[2 * count] = one
-    pairs[2 * count + 1] = other
-    return count + 1
+def push_disc(i: int, dx: float, dy: float, state: State) -> bool:
+    """Moves a disc; gives whether a wall held it."""
+    x = state.robots.floats[X]
+    y = state.robots.floats[Y]
+    was_x = x[i]
+    was_y = y[i]
+    x[i] += dx
+    y[i] += dy
+    return state.robots.ints[ROAD][i] < 0 and hold_at_walls(i, was_x, was_y, state)
+
+
+def give_way(i: int, j: int, near: float, state: State) -> None:
+    """Moves disc i, unless it is guided, out of disc j, which cannot move: their middles come `near` to each other."""
+    x = state.robots.floats[X]
+    y = state.robots.floats[Y]
+    dx = x[i] - x[j]
+    dy = y[i] - y[j]
+    distance = math.sqrt(dx * dx + dy * dy)
+    if distance >= near or distance == 0.0 or state.robots.ints[ROAD][i] >= 0:
+        return
+    push = (near - distance) / distance
+    push_disc(i, push * dx, push * dy, state)
 
 
 def news_first(contacts: Contacts, count: int, count_before: int) -> int:

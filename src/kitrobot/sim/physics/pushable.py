@@ -30,6 +30,7 @@ from kitrobot.sim.physics.pushable_grid import (
     row_of,
     sort_into_cells,
 )
+from kitrobot.sim.physics.wall_contacts import hold_at_walls, is_crossed
 from kitrobot.sim.tables.columns import DT, MOVED, PUSHABLES, RADIUS, ROAD, WAY, X, Y
 from kitrobot.sim.tables.state import Pushables, State, Walls
 
@@ -180,9 +181,24 @@ def separate_from_robots(piece: int, state: State) -> int:
                     found += 1
                     xs[i] += dx / away * over * (1.0 - mine)
                     ys[i] += dy / away * over * (1.0 - mine)
-                    x[r] -= dx / away * over * mine
-                    y[r] -= dy / away * over * mine
+                    if mine > 0.0:
+                        push_back(r, i, -dx / away * over * mine, -dy / away * over * mine, state)
     return found
+
+
+def push_back(r: int, i: int, dx: float, dy: float, state: State) -> None:
+    """Moves robot r away from object i; where a wall holds it, the object goes as far the other way."""
+    x = state.robots.floats[X]
+    y = state.robots.floats[Y]
+    was_x = x[r]
+    was_y = y[r]
+    x[r] += dx
+    y[r] += dy
+    wanted_x = x[r]
+    wanted_y = y[r]
+    if hold_at_walls(r, was_x, was_y, state):
+        state.pushables.floats[PUSH_X][i] += x[r] - wanted_x
+        state.pushables.floats[PUSH_Y][i] += y[r] - wanted_y
 
 
 def beyond(away: float, half: float) -> float:
@@ -300,7 +316,7 @@ def wall_overlap(i: int, w: int, pushables: Pushables, walls: Walls) -> tuple[fl
     across = ay * ux - ax * uy
     before = (was_y - ends[1][w]) * ux - (was_x - ends[0][w]) * uy
     came = (was_x - ends[0][w]) * ux + (was_y - ends[1][w]) * uy
-    if before * across < 0.0 and 0.0 <= along <= length and 0.0 <= came <= length:
+    if is_crossed(before, across, came, along, length):
         # It was pushed onto the wall with more than its half: back to where it came from.
         side = 1.0 if before > 0.0 else -1.0
         return -uy * side, ux * side, abs(across) + (wide if ball else abs(uy) * wide + abs(ux) * high)

@@ -13,7 +13,6 @@ from kitrobot.sim.physics.contacts import (
     measure_gaps,
     news_first,
     separate_discs,
-    separate_from_walls,
     separate_on_roads,
     sort_along,
 )
@@ -21,6 +20,7 @@ from kitrobot.sim.physics.grids import fill
 from kitrobot.sim.physics.motion import move_along_roads, move_freely, place, roll
 from kitrobot.sim.physics.pushable import separate_pushables, slide_pushables, update_pushable_speeds
 from kitrobot.sim.physics.pushable_grid import PUSH_HALF_HEIGHT, PUSH_HALF_WIDTH, PUSH_X, PUSH_Y
+from kitrobot.sim.physics.wall_contacts import separate_from_walls
 from kitrobot.sim.tables.columns import (
     COLLISION,
     COLLISIONS,
@@ -119,15 +119,16 @@ def move_robots(piece: int, count: int, state: State) -> int:
         count = separate_from_walls(piece, robots, state.walls, pairs, count)
     if state.fixed[TOGETHER]:
         fill(robots, state.fixed_floats[WIDEST], state.grid)
-        count = separate_discs(piece, robots, state.grid, pairs, count)
+        count = separate_discs(piece, state, count)
     return count
 
 
 def divide(state: State) -> int:
     """In how many pieces robots go their ways in this step, at most; PIECES is in how many each one does.
 
-    None goes further at once than its own radius, nor than that of what is near enough to be met in the step. What is
-    far away has no say, and who goes one piece goes it first: so others change nothing for those whom they do not meet.
+    None goes further at once than half its own radius, half that of a robot or that of an object that is near enough to
+    be met in the step. So no middle comes onto a wall, and two robots do not exchange places. What is far away has no
+    say, and who goes one piece goes it first: so others change nothing for those whom they do not meet.
     """
     who = state.robots.solid
     way = state.robots.floats[WAY]
@@ -151,7 +152,7 @@ def forget_pieces(robots: Robots) -> None:
 
 
 def find_room(i: int, state: State) -> float:
-    """How far robot i may go at once: the smallest radius of it and of all that it may meet in this step."""
+    """How far robot i may go at once, by its own size and by that of all that it may meet in this step."""
     robots = state.robots
     who = robots.solid
     floats = robots.floats
@@ -161,14 +162,14 @@ def find_room(i: int, state: State) -> float:
     radius = floats[RADIUS]
     length = floats[LENGTH]
     road = robots.ints[ROAD]
-    room = radius[i]
+    room = radius[i] / 2.0
     if road[i] >= 0:
         room = min(room, length[i] / 2.0)
     for k in range(len(who)):
         j = who[k]
         reach = abs(way[i]) + abs(way[j]) + radius[i] + radius[j]
-        if radius[j] < room and abs(x[j] - x[i]) <= reach and abs(y[j] - y[i]) <= reach:
-            room = radius[j]
+        if radius[j] / 2.0 < room and abs(x[j] - x[i]) <= reach and abs(y[j] - y[i]) <= reach:
+            room = radius[j] / 2.0
     pushables = state.pushables
     for k in range(len(pushables.floats[0])):
         half_width = pushables.floats[PUSH_HALF_WIDTH][k]

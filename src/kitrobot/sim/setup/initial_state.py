@@ -16,10 +16,10 @@ from kitrobot.primitives.robot import Robot, RobotObject
 from kitrobot.primitives.team_objects import TEAM
 from kitrobot.sim.devices import Actuator, Device, Placement, Sensor, Values, actuators, sensors, ticks
 from kitrobot.sim.physics.angles import direction
-from kitrobot.sim.physics.contacts import TOUCH_MM
 from kitrobot.sim.physics.grids import FEW
 from kitrobot.sim.physics.pushable_grid import pushable_tables, pushable_walls
 from kitrobot.sim.physics.step import arrange
+from kitrobot.sim.physics.wall_contacts import TOUCH_MM
 from kitrobot.sim.setup.device_tables import DeviceTables, FittedDevice
 from kitrobot.sim.setup.radio_tables import beat_steps, delay_steps, radio_tables
 from kitrobot.sim.setup.shared_tables import SharedTables
@@ -211,8 +211,8 @@ class Tables:
         )
 
     def _smallest(self, robots: Robots) -> float:
-        """Half the width of the smallest body."""
-        sizes = [self.floats[c.RADIUS][i] for i in robots.solid]
+        """How far whoever moves may go at once, whatever it meets."""
+        sizes = [self.floats[c.RADIUS][i] / 2 for i in robots.solid]
         sizes += [self.floats[c.LENGTH][i] / 2 for i in robots.guided]
         sizes += [min(one.width_mm, one.height_mm) / 2 for one in self.world.boxes]
         return min(sizes + [one.radius_mm for one in self.world.balls], default=math.inf)
