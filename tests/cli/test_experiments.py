@@ -82,6 +82,9 @@ def test_a_folder_that_is_no_study_and_another_study_are_refused(kitrobot, missi
     assert "holds no study" in kitrobot("sweep", "table", here).err
     _begin(kitrobot, mission)
     assert "`study` holds another study" in _begin(kitrobot, mission, "--seeds", "1-4").err
+    said = kitrobot("sweep", "study", "--vary", "fail-rate=0,1")
+    assert said.status == 2
+    assert "another one is another folder" in said.err
 
 
 def test_programs_are_tried_against_each_other(kitrobot, mission, here):

@@ -87,6 +87,17 @@ def test_a_killed_supervisor_costs_no_row(tmp_path, undisturbed, seed):
     assert sorted_rows(tmp_path / "study") == undisturbed
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGKILL")
+def test_processes_may_be_killed_again_and_again_as_long_as_others_begin(undisturbed):
+    executor = LocalWorkers(2)
+    lines = []
+    for number, line in enumerate(executor.run(Work(PLAN, range(PLAN.rows), PLAN.rows), lambda: False)):
+        lines.append(line)
+        if number % 3 == 0 and number < PLAN.rows - 4:
+            os.kill(executor.workers[-1].process.pid, signal.SIGKILL)  # the newest, which may not be ready yet
+    assert sorted(lines) == undisturbed
+
+
 def test_processes_end_when_nobody_wants_more_rows():
     executor = LocalWorkers(2)
     lines: Any = executor.run(Work(PLAN, range(PLAN.rows), PLAN.rows), lambda: False)

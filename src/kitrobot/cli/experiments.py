@@ -121,7 +121,10 @@ def sweep_missions(
     request = StudyRequest(
         _axes(vary or []), points, zip_axes, seeds, seconds, fail_rate, [one for one in measure or [] if one.strip()]
     )
-    folder = path if resume or status or trace is not None or is_study(path) else _begin(path, output, request)
+    is_there = resume or status or trace is not None or is_study(path)
+    if is_there and (vary or points is not None or measure):
+        raise typer.BadParameter("a study has its plan; another one is another folder", param_hint="'--vary'")
+    folder = path if is_there else _begin(path, output, request)
     if status:
         _show_status(folder, as_json)
     elif trace is not None:

@@ -25,6 +25,8 @@ from kitrobot.workspace.child_processes import end_with_parent
 
 MOST_GIVEN: Final = 64
 """Rows that a process has before it at most."""
+MOST_FALSE_STARTS: Final = 8
+"""Processes that may die before they are ready while no row comes, before the study is given up."""
 _LOOK_S: Final = 0.2
 """How long nobody looks whether the work is to end while no row comes, in seconds."""
 
@@ -79,6 +81,7 @@ class LocalWorkers:
                             left -= 1
                             yield died_row(work.plan, died)
                         continue
+                    self._false_starts = 0
                     if not message:
                         worker.is_ready = True
                         continue
@@ -107,7 +110,7 @@ class LocalWorkers:
         worker.line.close()
         if not worker.is_ready:
             self._false_starts += 1
-            if self._false_starts >= MOST_DEATHS:
+            if self._false_starts >= MOST_FALSE_STARTS:
                 raise ExperimentError(
                     Sentence("the processes of the study die before they begin"),
                     Sentence("perhaps for want of memory: try fewer of them with --jobs"),
