@@ -49,8 +49,8 @@ def told(tmp_path_factory: pytest.TempPathFactory) -> list[tuple[str, int, str, 
 def test_every_command_works_without_numpy_numba_and_orjson(told: list[tuple[str, int, str, str]]) -> None:
     assert {words for words, *_ in told} >= WORKS
     ended = [(command, status) for command, status, *_ in told if command in WORKS]
-    # A heart does not end in five seconds, a recording goes into no MCAP file, a check of 500 states is not finished, an
-    # exercise is not done by itself.
+    # A heart does not end in five seconds, a recording goes into no MCAP file, a check of 500 states is not finished,
+    # an exercise is not done by itself.
     assert [one for one in ended if one[1] != 0] == [("run", 1), ("convert", 1), ("verify", 3), ("grade", 1)]
     assert [said for _, _, out, said in told if "Traceback" in out + said or "itself went wrong" in said] == []
     assert told[0][2].startswith("Done after 59.3 s: B holds all 12 boxes.")

@@ -11,12 +11,14 @@ from playwright.sync_api import Locator, expect
 
 from tests.studio.conftest import Studio
 from tests.studio.test_first_minutes import Hands
-from tests.studio.test_stage import ORANGE, SEEN
+from tests.studio.test_stage import SEEN
 
 pytestmark = pytest.mark.browser
 
 OpenStudio = Callable[..., Studio]
 PAGE = Path(__file__).parents[2] / "docs" / "first-hour.md"
+INK = (0x1B, 0x1F, 0x27)
+"""Of a pen whose colour nobody chose, in the light theme."""
 DEVICES: dict[str, dict[str, object]] = {
     "mouse": {"viewport": {"width": 1440, "height": 900}},
     "keys": {"viewport": {"width": 1440, "height": 900}},
@@ -184,7 +186,7 @@ def test_a_square_from_nothing_is_large_at_the_end(open_studio: OpenStudio, devi
     studio.wait_until_done()
     expect(studio.at("ending")).to_be_visible()
     studio.page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
-    drawing = studio.page.evaluate(SEEN, [studio.at("arena-canvas").element_handle(), *ORANGE])
+    drawing = studio.page.evaluate(SEEN, [studio.at("arena-canvas").element_handle(), *INK])
     assert drawing["width"] >= least
     assert drawing["inside"]
 

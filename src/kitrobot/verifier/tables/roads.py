@@ -13,7 +13,7 @@ from bisect import bisect_right
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from kitrobot.sim.physics.contacts import TOUCH_MM
+from kitrobot.sim.physics.wall_contacts import TOUCH_MM
 
 PRESSED, TOUCHING = range(2)
 """The classes of a gap between two touching robots: no gap, so that the one behind cannot roll, and a small one."""
