@@ -110,9 +110,9 @@ const LINES = 2;
 
 function Side() {
   const { sizes, folded: chosen } = useLayout();
-  const beside = useStage((stage) => stage.beside);
-  const selects = useStudio((studio) => studio.selection.length > 0);
-  // While something runs the arena has what only a selected part takes from it.
+  const { beside, selectedBefore } = useStage();
+  const selects = useStudio(({ selection }) => selection.length > 0 && selection !== selectedBefore);
+  // While something runs the arena has what only a part takes from it that is selected meanwhile.
   const folded = beside ? { ...chosen, arena: false, code: true, inspector: chosen.inspector || !selects } : chosen;
   // Inspector and code share what they have together, so that another part leaves the arena as it is; where one of them is
   // folded away the last open panel takes what the others leave.

@@ -190,8 +190,8 @@ export const useStudio = create<StudioState>((set, get) => {
     select: (ids) => {
       const { mission, activeProgram, selection } = get();
       const next = stillThere(mission, activeProgram, ids);
-      if (next.length === selection.length && next.every((id, at) => id === selection[at])) return;
-      set({ selection: next });
+      // Who selects the same again is told as for another selection: what was put away for it comes back.
+      if (next.length > 0 || selection.length > 0) set({ selection: next });
     },
 
     setActiveProgram: (name) => {

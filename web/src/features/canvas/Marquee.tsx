@@ -45,7 +45,9 @@ export function Marquee({ root }: { root: RefObject<HTMLDivElement | null> }) {
       if (drawing === null) return;
       const inside = touched(drawing, between(camera.point(from, corner), camera.point(to, corner)));
       holdingStill(() => {
-        useStudio.getState().select([...new Set([...before, ...inside])]);
+        const { selection, select } = useStudio.getState();
+        const wanted = [...new Set([...before, ...inside])];
+        if (wanted.length !== selection.length || wanted.some((id, at) => id !== selection[at])) select(wanted);
       });
     };
     const forget = () => {
