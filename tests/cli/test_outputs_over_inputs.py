@@ -108,6 +108,7 @@ ONLY_READ = {
     "mission",
     "ours",
     "parts",
+    "points",
     "program",
     "site",
     "source",
@@ -115,7 +116,7 @@ ONLY_READ = {
     "theirs",
     "tls",
 }
-FOLDERS = {("site", "folder"), ("desktop", "folder"), ("class", "folder"), ("studio", "folder")}
+FOLDERS = {("sweep", "output"), ("site", "folder"), ("desktop", "folder"), ("class", "folder"), ("studio", "folder")}
 WAYS: dict[str, Callable[[Path], str]] = {
     "its name": lambda path: path.name,
     "through a folder": lambda path: f"sub/../{path.name}",

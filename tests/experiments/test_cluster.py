@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 import re
+import signal
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -58,7 +60,7 @@ def _worker(address: str):
 
 def test_a_worker_that_is_killed_costs_no_row_and_a_scheduler_that_goes_away_is_a_sentence(tmp_path, undisturbed):
     begin_study(tmp_path, PLAN)
-    with _scheduler() as (scheduler, address), _worker(address) as (one, _), _worker(address):
+    with _scheduler() as (scheduler, address), _worker(address) as (one, _), _worker(address) as (two, _):
         lines = []
         for line in DaskCluster(address).run(Work(PLAN, range(PLAN.rows), PLAN.rows), lambda: False):
             lines.append(line)
@@ -66,12 +68,17 @@ def test_a_worker_that_is_killed_costs_no_row_and_a_scheduler_that_goes_away_is_
                 one.kill()
         assert sorted(lines) == undisturbed
 
-        def kill(done, total):
-            if done:
+        # No run ends while the last worker stands still.
+        two.send_signal(signal.SIGSTOP)
+        looks = itertools.count()
+
+        def kill_at_the_second_look():
+            if next(looks) == 1:
                 scheduler.kill()
+            return False
 
         with pytest.raises(ExperimentError, match="the Dask scheduler has gone away") as told:
-            run_study(tmp_path, DaskCluster(address), progress=kill)
+            run_study(tmp_path, DaskCluster(address), stop=kill_at_the_second_look)
         assert "--resume" in told.value.help
     assert set(sorted_rows(tmp_path)) < set(undisturbed)
     assert run_study(tmp_path)

@@ -26,7 +26,7 @@ export function NextLesson({ testId, takesFocus = false }: NextLessonProps) {
   }, [takesFocus, next]);
   if (next === null) return null;
   return (
-    <Button ink ref={button} className="next-lesson" testId={testId} onClick={next.begin}>
+    <Button ink ref={button} className="row" testId={testId} onClick={next.begin}>
       {t("learn.next", { name: text(next.label) })}
       <Icon name="arrow-right" size={16} />
     </Button>

@@ -28,7 +28,7 @@ describe("the outline", () => {
         "            Wheel Advance, speed 50 %, Interruptible",
         "  When, Cargo pressed",
         "    Lamp LightOff",
-        "Stop",
+        "End",
       ]
     `);
   });

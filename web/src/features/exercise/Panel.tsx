@@ -124,7 +124,9 @@ export function ExercisePanel() {
       <p className="exercise-basis muted small-text" role="status" data-testid="exercise-basis">
         {said}
       </p>
-      <NextLesson testId="exercise-next" takesFocus />
+      <div className="exercise-next">
+        <NextLesson testId="exercise-next" takesFocus />
+      </div>
     </section>
   );
 }
