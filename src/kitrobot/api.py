@@ -166,7 +166,7 @@ def probability(
         >>> import kitrobot
         >>> found = kitrobot.probability("square", "done within 20", precision=0.2, jobs=1)
         >>> found.runs, found.interval.estimate, round(found.interval.low, 2), found.interval.high
-        (23, 1.0, 0.8, 1.0)
+        (24, 1.0, 0.81, 1.0)
     """
     from kitrobot.experiments.probability import ProbabilityOptions, find_probability
     from kitrobot.workspace.mission_run import RunOptions

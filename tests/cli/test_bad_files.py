@@ -28,6 +28,8 @@ READS = {
     "run": ("run", "bad.krt"),
     "run recorded": ("run", EXAMPLE, "--seconds", "0.1", "--trace", "bad.krtrace"),
     "verify": ("verify", "bad.krt", "--seconds", "1"),
+    "probability": ("probability", "bad.krt", "done", "--precision", "0.2"),
+    "sweep": ("sweep", "bad.krt", "--seeds", "1"),
     "replay": ("replay", "bad.krtrace"),
     "replay --at": ("replay", "bad.krtrace", "--at", "1"),
     "diff ours": ("diff", "bad.krt", EXAMPLE),

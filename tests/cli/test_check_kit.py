@@ -5,7 +5,7 @@ from __future__ import annotations
 from tests.cli.conftest import EXAMPLE
 
 EXAMPLES = EXAMPLE.parents[1]
-DOOR, SQUARE = EXAMPLES / "door" / "door.krt", EXAMPLES / "square" / "square.krt"
+DOOR, DRAWING, SQUARE = (EXAMPLES / name / f"{name}.krt" for name in ("door", "draw-square", "square"))
 KIT = """<board name="mine" version="1" pins="0..9">
   <actuator device="drive turn" left-forward="2" left-backward="3" right-forward="4" right-backward="{pin}"/>
 </board>
@@ -17,12 +17,12 @@ def test_each_part_of_each_program_is_told_and_the_status_is_that_of_what_is_mis
     assert (said.status, said.err) == (0, "")
     assert "Door    used      servo pin=22" in said.out
     assert "it can be sent" in said.out
-    said = kitrobot("check", DOOR, SQUARE, "--board", "maqueen", "--json")
+    said = kitrobot("check", DRAWING, SQUARE, "--board", "maqueen", "--json")
     assert said.status == 1
-    door, square = said.json
-    assert (door["ok"], square["ok"]) == (False, True)
-    assert "`Switch`" in door["error"]["message"]
-    assert [part["part"] for part in door["parts"] if part["used"] and part["missing"]] == ["Switch"]
+    drawing, square = said.json
+    assert (drawing["ok"], square["ok"]) == (False, True)
+    assert "`Pen`" in drawing["error"]["message"]
+    assert [part["part"] for part in drawing["parts"] if part["used"] and part["missing"]] == ["Pen"]
     assert square["error"] is None
 
 

@@ -41,9 +41,10 @@ def test_what_a_team_gives_a_robot_is_no_part_that_a_kit_could_lack(kitrobot) ->
     assert "driver ``" not in said.err
 
 
-def test_a_robot_that_says_no_wiring_is_told_to_name_a_kit(kitrobot) -> None:
-    for name, parts in (("square", "Motor, Wheel"), ("door", "Switch")):
-        path = EXAMPLES / name / f"{name}.krt"
+def test_a_robot_that_says_no_wiring_is_told_to_name_a_kit(kitrobot, here: Path) -> None:
+    (here / "switch.lll").write_text("Switch.SwitchOn();")
+    assert kitrobot("convert", "switch.lll", "switch.krt", "--robot", "mini-robot").status == 0
+    for path, parts in ((EXAMPLES / "square" / "square.krt", "Motor, Wheel"), ("switch.krt", "Switch")):
         said = kitrobot("deploy", path, "--to", "socket://127.0.0.1:1")
         assert said.status == 1
         assert "--board" in said.err

@@ -8,6 +8,7 @@ import type { Mission, World } from "../model/types";
 import { dismissBanner, note, useDocument } from "./document";
 import { isLive, useRun, watchedAgent } from "./run";
 import { closeTeam, openTeam } from "./team-view";
+import { whenFollowed } from "./typing";
 import { useView } from "./view";
 
 export function run(): void {
@@ -17,8 +18,10 @@ export function run(): void {
   if (status === "paused") {
     resume();
   } else if (!isLive(status)) {
-    const { mission, file } = useStudio.getState();
-    start({ mission, path: file.path });
+    whenFollowed(() => {
+      const { mission, file } = useStudio.getState();
+      if (!isLive(useRun.getState().status)) start({ mission, path: file.path });
+    });
   }
 }
 

@@ -9,7 +9,7 @@ import { useStudio } from "../model/studio";
 import { CARRIER, missionOf } from "../model/testing/missions";
 import type { Problem, Program } from "../model/types";
 import { isChecked } from "./checked";
-import { connectTyping, isUnfinished, setFocused, typeText, useTyping } from "./typing";
+import { connectTyping, isUnfinished, setFocused, typeText, useTyping, whenFollowed } from "./typing";
 
 const NAME = CARRIER.name;
 const BEFORE = { text: "printed", spans: [] };
@@ -75,6 +75,18 @@ describe("typing", () => {
     expect(draft()?.text).toBe("printed");
     useStudio.getState().redo();
     expect(draft()?.text).toBe("two");
+  });
+
+  it("is waited for by who wants to run what was typed", async () => {
+    const seen = vi.fn();
+    answers.set("one", right(withNote(CARRIER, "1")));
+    typeText(NAME, "one", BEFORE);
+    whenFollowed(() => seen(now()?.vertices[0]?.notes));
+    expect(seen).not.toHaveBeenCalled();
+    await vi.advanceTimersByTimeAsync(200);
+    expect(seen.mock.calls).toEqual([[[{ text: "1", at: "" }]]]);
+    whenFollowed(seen);
+    expect(seen).toHaveBeenCalledTimes(2);
   });
 
   it("is one burst however late the server answers, and another one after a pause", async () => {

@@ -131,6 +131,21 @@ export function isUnfinished(name: string): boolean {
   return draft !== undefined && (draft.waiting || !draft.right);
 }
 
+/** Does something with the program as it is typed: at once, or when the server has answered for the last letter. */
+export function whenFollowed(go: () => void): void {
+  const waits = () => Object.values(useTyping.getState().drafts).some(({ waiting }) => waiting);
+  if (!waits()) {
+    go();
+    return;
+  }
+  const off = useTyping.subscribe(() => {
+    if (waits()) return;
+    off();
+    // The answer is in the document by the end of this turn.
+    queueMicrotask(go);
+  });
+}
+
 /** Follows the document: drafts end when their program is edited elsewhere. The returned function stops that. */
 export function connectTyping(asking: Ask): () => void {
   ask = asking;
