@@ -1,5 +1,4 @@
 /** Sentences that say what a hand does: where fingers point it taps, and there are no keys. */
-import { hasCoarsePointer } from "../ui/coarse-pointer";
 import type { Key } from "./words";
 
 const TOUCH = {
@@ -10,6 +9,11 @@ const TOUCH = {
   "world.draw": "world.draw-tap",
   "world.hint": "world.hint-tap",
 } as const satisfies Partial<Record<Key, Key>>;
+
+/** Whether fingers point at the page, and no mouse does. */
+export function hasCoarsePointer(): boolean {
+  return matchMedia("(pointer: coarse)").matches;
+}
 
 /** The key of the sentence for the hand that points. */
 export function handKey(key: keyof typeof TOUCH): Key {

@@ -22,7 +22,7 @@ function isTable(value: unknown): value is Record<string, unknown> {
 
 /** The kit that was remembered; null for what is none. */
 export function readKit(text: string | null): BuiltKit | null {
-  let found: unknown = null;
+  let found: unknown;
   try {
     found = JSON.parse(text ?? "null");
   } catch {
@@ -66,9 +66,9 @@ export function isAbsent(kit: BuiltKit | null, robot: string, object: Pick<Robot
 export function suitedRobot(kit: BuiltKit, robots: readonly Robot[], now: string): string {
   const known = robots.filter(({ name }) => kit.absent[name] !== undefined);
   const lacking = ({ name }: Robot) => kit.absent[name]?.length ?? 0;
+  const isNow = ({ name }: Robot) => (name === now ? 1 : 0);
   const [best] = [...known].sort(
-    (a, b) =>
-      lacking(a) - lacking(b) || Number(b.name === now) - Number(a.name === now) || b.objects.length - a.objects.length,
+    (a, b) => lacking(a) - lacking(b) || isNow(b) - isNow(a) || b.objects.length - a.objects.length,
   );
   return best?.name ?? now;
 }

@@ -78,7 +78,7 @@ describe("typing", () => {
   });
 
   it("is waited for by who wants to run what was typed", async () => {
-    const seen = vi.fn();
+    const seen = vi.fn<(notes?: unknown) => void>();
     answers.set("one", right(withNote(CARRIER, "1")));
     typeText(NAME, "one", BEFORE);
     whenFollowed(() => seen(now()?.vertices[0]?.notes));

@@ -17,7 +17,7 @@ import { boxInside, type Part } from "./part";
 import { PlainNode } from "./Plain";
 import { ChipView, selectVertex, Vertex } from "./Vertex";
 import { waitedVertices } from "./waiting";
-import { hasCoarsePointer } from "../../ui/coarse-pointer";
+import { hasCoarsePointer } from "../../i18n/touch";
 
 /** Those that stand in a part of the graph; `plain` as they are looked at from far away. */
 export function Nodes({ layout, part, plain }: { layout: Layout; part: Part; plain: boolean }) {

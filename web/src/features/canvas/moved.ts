@@ -4,15 +4,16 @@ import { currentDrawing } from "../../session/drawing";
 import { insideOf } from "../../session/targets";
 
 const NOTHING: ReadonlySet<string> = new Set();
-/** For the drag that is on: every arc and slot asks. */
-let last: { payload: Payload; inside: ReadonlySet<string> } | null = null;
+/** For each drag: every arc and slot asks. */
+const known = new WeakMap<Payload, ReadonlySet<string>>();
 
 function movedBy(payload: Payload | null): ReadonlySet<string> {
   if (payload?.kind !== "vertices") return NOTHING;
-  if (last?.payload === payload) return last.inside;
+  const before = known.get(payload);
+  if (before !== undefined) return before;
   const drawing = currentDrawing();
   const inside = drawing === null ? NOTHING : insideOf(drawing, payload.ids);
-  last = { payload, inside };
+  known.set(payload, inside);
   return inside;
 }
 

@@ -10,7 +10,7 @@ import { type Camera, type CanvasCamera, createCamera, type Size, useCamera, zoo
 import { afterResize, homeOf, LEAST_READABLE, type Whole, wholeOf } from "./home";
 import { spotOfArc } from "./Lines";
 import { leastZoom, MOST_ZOOM } from "./zoom-range";
-import { hasCoarsePointer } from "../../ui/coarse-pointer";
+import { hasCoarsePointer } from "../../i18n/touch";
 
 const MARGIN = 48;
 /** A small selection does not fill the canvas. */

@@ -14,7 +14,7 @@ import { openRoom } from "../../session/narrow";
 import { reveal } from "../../session/reveal";
 import { setBeside } from "../../session/stage";
 import { useView } from "../../session/view";
-import { hasCoarsePointer } from "../../ui/coarse-pointer";
+import { hasCoarsePointer } from "../../i18n/touch";
 import { whenThere } from "../../ui/when-there";
 
 const BUTTONS: Readonly<Record<string, { testid: string; words: Key }>> = {

@@ -79,7 +79,7 @@ describe("colours", () => {
 describe("a line", () => {
   it("is followed by who goes along it, not by who crosses it", () => {
     expect(lineDeeds(WORLD, way([100, 1010], [1500, 990]))).toMatchObject([
-      { kind: "followed", mm: expect.closeTo(1400, 0) },
+      { kind: "followed", mm: expect.closeTo(1400, 0) as number },
     ]);
     expect(lineDeeds(WORLD, way([600, 400], [600, 1600]))).toEqual([]);
     expect(lineDeeds(WORLD, way([100, 1000], [300, 1000]))).toEqual([]);
@@ -99,7 +99,7 @@ describe("robots in a row", () => {
   it("stay near to the one before them all the way", () => {
     const [first, second] = [way([500, 600], [1700, 600]), way([100, 600], [1300, 600])];
     expect(trainDeeds([first, second])).toMatchObject([
-      { kind: "apart", count: 2, least: expect.closeTo(400, 0), most: expect.closeTo(400, 0) },
+      { kind: "apart", count: 2, least: expect.closeTo(400, 0) as number, most: expect.closeTo(400, 0) as number },
     ]);
     expect(trainDeeds([first, way([100, 1900], [1300, 1900])])).toEqual([]);
     expect(trainDeeds([first])).toEqual([]);
