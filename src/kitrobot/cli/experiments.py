@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from kitrobot.cli.options import Jobs, RunSeconds
 from kitrobot.cli.output import json_text, print_data
 from kitrobot.cli.progress import counted_progress
+from kitrobot.cli.run import FailRate
 
 if TYPE_CHECKING:
     from kitrobot.experiments.executor import Executor
@@ -50,10 +52,6 @@ Measures = Annotated[
         show_default=False,
     ),
 ]
-Seconds = Annotated[float, typer.Option("--seconds", help="Simulated seconds after which a run is out of time.")]
-FailRate = Annotated[
-    float, typer.Option("--fail-rate", metavar="P", help="The probability that a robot fails within a minute, 0 to 1.")
-]
 Zip = Annotated[bool, typer.Option("--zip", help="Take the axes side by side instead of every combination.")]
 Output = Annotated[
     Path | None, typer.Option("--output", "-o", help="The folder of the study, or the file of a table or recording.")
@@ -63,7 +61,6 @@ Status = Annotated[bool, typer.Option("--status", help="Say how far a study is."
 ShardText = Annotated[
     str | None, typer.Option("--shard", metavar="I/N", help="Make only every N-th row, from the I-th on.")
 ]
-Jobs = Annotated[int | None, typer.Option("--jobs", metavar="N", min=1, help="So many processes; else one a core.")]
 Cluster = Annotated[
     str | None, typer.Option("--cluster", metavar="ADDRESS|local", help="Run on a Dask cluster (`kitrobot[cluster]`).")
 ]
@@ -81,7 +78,7 @@ def sweep_missions(
     points: Points = None,
     seeds: Seeds = "1",
     measure: Measures = None,
-    seconds: Seconds = 600.0,
+    seconds: RunSeconds = 600.0,
     fail_rate: FailRate = 0.0,
     zip_axes: Zip = False,
     output: Output = None,

@@ -9,6 +9,7 @@ import typer
 
 MissionFile = Annotated[Path, typer.Argument(metavar="FILE.krt", help="The mission.", show_default=False)]
 RunSeconds = Annotated[float, typer.Option(help="Simulated seconds after which the run is out of time.")]
+Jobs = Annotated[int | None, typer.Option(metavar="N", min=1, help="In so many processes; else one for each core.")]
 ResultAsJson = Annotated[bool, typer.Option("--json", help="Give the result as one JSON object.")]
 ProgramName = Annotated[
     str | None,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from kitrobot.cli.options import MissionFile, ResultAsJson
+from kitrobot.cli.options import Jobs, MissionFile, ResultAsJson
 from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_message
 from kitrobot.cli.progress import counted_progress
 from kitrobot.cli.run import FailRate, check_run_numbers
@@ -44,7 +44,6 @@ MostRuns = Annotated[
     int | None,
     typer.Option("--runs", metavar="N", min=1, help="At most so many runs; else as many as it takes."),
 ]
-Jobs = Annotated[int | None, typer.Option(metavar="N", min=1, help="In so many processes; else one for each core.")]
 INTERRUPTED = 130
 
 

@@ -12,10 +12,11 @@ from typing import Any
 from kitrobot.experiments.executor import Executor, ThisProcess
 from kitrobot.experiments.plan import Function, StudyRequest, plan_study
 from kitrobot.experiments.seeds import seeds_of
+from kitrobot.experiments.statistics.interval import USUAL_CONFIDENCE
 from kitrobot.experiments.study_folder import begin_study
 from kitrobot.experiments.study_rows import StudyRows
 from kitrobot.experiments.study_run import Progress, run_study
-from kitrobot.experiments.summary import USUAL_CONFIDENCE, Comparison, PointSummary, compare, summarise
+from kitrobot.experiments.summary import Comparison, PointSummary, compare, summarise
 from kitrobot.experiments.tables import arrow_table, write_csv, write_parquet
 from kitrobot.experiments.variant import Value
 from kitrobot.workspace.child_processes import cores, has_processes

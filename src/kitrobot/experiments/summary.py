@@ -8,20 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from kitrobot.experiments.addresses import ExperimentError
+from kitrobot.experiments.statistics.interval import USUAL_CONFIDENCE, Interval
 from kitrobot.experiments.study_folder import study_rows
 from kitrobot.experiments.study_rows import StudyRows
 from kitrobot.experiments.tables import text_lines
 from kitrobot.experiments.variant import Value
 from kitrobot.text.sentences import Sentence
 from kitrobot.text.suggestions import did_you_mean
-
-if TYPE_CHECKING:
-    from kitrobot.experiments.statistics.interval import Interval
-
-USUAL_CONFIDENCE = 0.95
 
 
 @dataclass(frozen=True)

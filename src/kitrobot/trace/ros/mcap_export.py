@@ -31,6 +31,9 @@ FRAME: Final = "map"
 _POSE: Final = POSE_WORDS[:3]
 _GRAVE: Final = frozenset(("collision", "failure", "outside"))
 """Kinds of events that are warnings in `/rosout`."""
+_OUR_TOPICS: Final = ("team", "tf", "events", "rosout")
+_TOLD_TICKS: Final = 500
+"""Ticks between two reports of progress: drawing a bar takes as long as writing some."""
 _FLOAT64: Final = CdrLayout().numbers("d")
 
 Progress = Callable[[int, int], None]
@@ -56,7 +59,7 @@ def mcap_bytes(reader: TraceReader, progress: Progress | None = None) -> bytes:
     export = _Export(writer, reader.header)
     for record in reader.walk(0):
         export.write(record)
-        if progress is not None:
+        if progress is not None and record.tick % _TOLD_TICKS == 0:
             progress(record.tick, reader.last_tick)
     export.write_attachments(reader.outcome)
     writer.finish()
@@ -90,8 +93,7 @@ class _Export:
         self._writer, self._header = writer, header
         self._topics = _Topics(writer)
         # A robot may be called like a topic of ours.
-        reserved = {name: name for name in ("team", "tf", "events", "rosout")}
-        parts = distinct_parts([*reserved, *(agent.name for agent in header.agents)])
+        parts = distinct_parts([*_OUR_TOPICS, *(agent.name for agent in header.agents)])
         self._parts = {agent.name: parts[agent.name] for agent in header.agents}
         self._robots = [self._parts[agent.name] for agent in header.agents]
         columns = {(column.owner, column.name): place for place, column in enumerate(header.columns)}
