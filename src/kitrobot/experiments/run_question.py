@@ -142,8 +142,9 @@ class RunJudge:
     """
 
     def __init__(self, question: RunQuestion, spec: RunSpec) -> None:
-        self._spec = spec if question.run_seconds is None else replace(spec, seconds=question.run_seconds)
-        run = self._spec.simulation()
+        limited = spec if question.run_seconds is None else replace(spec, seconds=question.run_seconds)
+        self._run = run = limited.simulation()
+        run.keep_beginning()
         self.robots = len(run.members)
         self.tick_ms = run.tick_ms
         self._outcome = ""
@@ -168,7 +169,8 @@ class RunJudge:
 
     def answer(self, seed: int, stop: Callable[[], bool], is_plain: bool = False) -> RunAnswer | None:
         """What the run with that seed answers; None when `stop` said to break off."""
-        run = self._spec.simulation(seed)
+        run = self._run
+        run.begin_again(seed)
         run.stays_plain = is_plain
         tick = violation_tick(self._property, run, (), stop)
         if tick < 0 and run.outcome is None:
