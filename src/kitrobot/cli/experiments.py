@@ -217,8 +217,8 @@ def _list_addresses(path: Path, as_json: bool) -> None:
         raise ProblemsError(message, "", opened.report.problems, opened.report.sources)
     known = mission_addresses(opened).values()
     if as_json:
-        told = [{"address": one.name, "now": one.current, "expected": str(one.expected)} for one in known]
-        print_data(json_text(told) + "\n")
+        listed = [{"address": one.name, "now": one.current, "expected": str(one.expected)} for one in known]
+        print_data(json_text(listed) + "\n")
         return
     rows = [(one.name, "–" if one.current is None else str(one.current), str(one.expected)) for one in known]
     print_data("\n".join(text_lines(rows)) + "\n")

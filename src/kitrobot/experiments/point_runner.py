@@ -44,10 +44,10 @@ class Pace(Enum):
     COMPILED = auto()
 
 
-def row_bytes(plan: Plan, row: int, outcome: str, sentence: str, told: Mapping[str, Any] | None = None) -> bytes:
+def row_bytes(plan: Plan, row: int, outcome: str, sentence: str, fields: Mapping[str, Any] | None = None) -> bytes:
     """A row of a study as a line of JSON, with its break."""
     made = {"row": row, "id": plan.row_id(row), "seed": plan.seed(row), "point": plan.point(row)}
-    return to_json({**made, "outcome": outcome, "sentence": sentence, **(told or {})}) + b"\n"
+    return to_json({**made, "outcome": outcome, "sentence": sentence, **(fields or {})}) + b"\n"
 
 
 def open_planned(plan: Plan) -> OpenMission:
@@ -88,12 +88,12 @@ class PointRunner:
         """The row, as a line of JSON."""
         try:
             simulation = self._simulation(row)
-            told = self._told(simulation, row)
+            fields = self._fields(simulation, row)
         except KitRobotError as error:
             sentence = first_problem(error) if isinstance(error, ProblemsError) else error.message
             return row_bytes(self._plan, row, ERROR, str(sentence))
         assert simulation.outcome is not None, "it has a time limit"
-        return row_bytes(self._plan, row, simulation.outcome, simulation.sentence, told)
+        return row_bytes(self._plan, row, simulation.outcome, simulation.sentence, fields)
 
     def prepare(self, row: int) -> PreparedRun:
         """The run of a row before its first step, set up anew.
@@ -117,9 +117,9 @@ class PointRunner:
         """
         simulation = self._simulation(row)
         self._record(simulation, file)
-        told = self._told(self._simulation(row), row)
+        fields = self._fields(self._simulation(row), row)
         assert simulation.outcome is not None, "it has a time limit"
-        return row_bytes(self._plan, row, simulation.outcome, simulation.sentence, told)
+        return row_bytes(self._plan, row, simulation.outcome, simulation.sentence, fields)
 
     def _put(self, variant: Any, name: str, value: Value) -> None:
         address = self._addresses.get(name)
@@ -154,7 +154,7 @@ class PointRunner:
         simulation.begin_again(self._plan.seed(row))
         return simulation
 
-    def _told(self, simulation: Simulation, row: int) -> dict[str, Any]:
+    def _fields(self, simulation: Simulation, row: int) -> dict[str, Any]:
         """Runs to the end; what is measured."""
         watching = [meter.after_step for meter in self._meters.values() if meter.each_step]
         for meter in self._meters.values():
@@ -164,7 +164,7 @@ class PointRunner:
         while simulation.outcome is None:
             simulation.advance(STRETCH)
         measures: dict[str, Any] = {name: meter.value() for name, meter in self._meters.items()}
-        told = {"seconds": simulation.seconds, "ticks": simulation.tick, "measures": measures}
+        fields = {"seconds": simulation.seconds, "ticks": simulation.tick, "measures": measures}
         outcome, sentence = simulation.outcome, simulation.sentence
         wrong: dict[str, str] = {}
         if self._functions:
@@ -175,7 +175,7 @@ class PointRunner:
                 assert (simulation.outcome, simulation.sentence) == (outcome, sentence), "it is the same run"
                 for name, function in self._functions.items():
                     measures[name] = _measured(name, function, file, wrong)
-        return told | ({"wrong": wrong} if wrong else {})
+        return fields | ({"wrong": wrong} if wrong else {})
 
     def _record(self, simulation: Simulation, file: Path) -> None:
         assert self._prepared is not None, "it was set up"

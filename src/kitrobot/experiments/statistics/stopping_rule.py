@@ -52,7 +52,7 @@ def hoeffding_runs(precision: float, confidence: float = USUAL_CONFIDENCE) -> in
 
 
 @dataclass(frozen=True, slots=True)
-class Look:
+class InterimLook:
     """A planned look after so many runs; its interval misses the truth on either side at most so often (`tail`)."""
 
     runs: int
@@ -72,7 +72,7 @@ class LookPlan:
 
     precision: float
     confidence: float
-    looks: tuple[Look, ...]
+    looks: tuple[InterimLook, ...]
     missing: float
 
     @property
@@ -108,8 +108,8 @@ def plan_looks(precision: float, confidence: float = USUAL_CONFIDENCE, most_runs
         if len(sizes) <= count:
             break
         count = len(sizes)
-    earlier = tuple(Look(size, tail) for size in sizes)
-    return LookPlan(precision, confidence, (*earlier, Look(last, missing * (_LAST if earlier else 1))), between)
+    earlier = tuple(InterimLook(size, tail) for size in sizes)
+    return LookPlan(precision, confidence, (*earlier, InterimLook(last, missing * (_LAST if earlier else 1))), between)
 
 
 def _sizes(precision: float, tail: float, last: int) -> Iterator[int]:
@@ -190,7 +190,7 @@ class SequentialShare:
             self._look(look)
         return self.is_over
 
-    def _look(self, look: Look) -> None:
+    def _look(self, look: InterimLook) -> None:
         low, high = clopper_pearson(self.successes, self.runs, look.tail)
         words = Sentence("Clopper and Pearson's exact interval at planned looks")
         interval = Interval(self.successes / self.runs, low, high, self._plan.confidence, words)

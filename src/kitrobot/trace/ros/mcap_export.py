@@ -175,8 +175,8 @@ class _Export:
     def _write_event(self, event: TraceEvent, nanoseconds: int) -> None:
         stamp = _stamp(nanoseconds)
         name = "" if event.agent < 0 else self._header.agents[event.agent].name
-        told = (event.kind, name, event.cause, str(event.text))
-        self._topics.write("/events", "kitrobot_msgs/msg/Event", nanoseconds, encode_texts(stamp, told))
+        texts = (event.kind, name, event.cause, str(event.text))
+        self._topics.write("/events", "kitrobot_msgs/msg/Event", nanoseconds, encode_texts(stamp, texts))
         level = WARN if event.kind in _GRAVE else INFO
         log = CdrLayout().numbers("iIB").text(name or "team").text(f"{event.kind}: {event.text}")
         log.text("").text("").numbers("I")

@@ -1,7 +1,16 @@
 import { describe, expect, it } from "vitest";
 
 import type { World } from "../../../model/types";
-import { colourAt, colourDeeds, lineDeeds, returnDeeds, trainDeeds, wallAhead, wallDeeds, type Way } from "./deeds";
+import {
+  colourAt,
+  colourDeeds,
+  lineDeeds,
+  returnDeeds,
+  trainDeeds,
+  wallAhead,
+  wallDeeds,
+  type RobotPath,
+} from "./deeds";
 
 const box = (left: number, bottom: number, right: number, top: number): [number, number][] => [
   [left, bottom],
@@ -36,7 +45,7 @@ const WORLD: World = {
 };
 
 /** A way along these corners, with a place each 20 mm and each 10 ticks. */
-function way(...corners: [number, number][]): Way {
+function way(...corners: [number, number][]): RobotPath {
   const [xs, ys]: [number[], number[]] = [[], []];
   let mm = 0;
   corners.forEach(([x, y], at) => {

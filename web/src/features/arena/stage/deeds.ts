@@ -27,7 +27,7 @@ export type Deed =
   | { kind: "counted"; name: string; value: number };
 
 /** Where one robot was, with the ticks; places are at least 10 mm apart. */
-export interface Way {
+export interface RobotPath {
   name: string;
   /** Of its body, in mm. */
   length_mm: number;
@@ -65,7 +65,7 @@ export function colourAt({ floors, lines }: Pick<World, "floors" | "lines">, x: 
 }
 
 /** The colours under the middle of a robot at a place of its way, and under its front. */
-function coloursAt(world: World, { xs, ys, length_mm }: Way, at: number): readonly (Colour | null)[] {
+function coloursAt(world: World, { xs, ys, length_mm }: RobotPath, at: number): readonly (Colour | null)[] {
   const [x, y] = [xs[at] ?? 0, ys[at] ?? 0];
   const before = Math.max(at - 1, 0);
   const [dx, dy] = [x - (xs[before] ?? x), y - (ys[before] ?? y)];
@@ -75,7 +75,7 @@ function coloursAt(world: World, { xs, ys, length_mm }: Way, at: number): readon
 }
 
 /** The colour that a robot came to and stayed on, or the one that it began on and left. */
-export function colourDeeds(world: World, way: Way): Deed[] {
+export function colourDeeds(world: World, way: RobotPath): Deed[] {
   const { name, xs, ticks } = way;
   if (world.floors.length + world.lines.length === 0 || xs.length < 2) return [];
   const [start] = coloursAt(world, way, 0);
@@ -91,7 +91,7 @@ export function colourDeeds(world: World, way: Way): Deed[] {
 }
 
 /** The line that a robot kept to. */
-export function lineDeeds(world: World, { name, xs, ys, mm }: Way): Deed[] {
+export function lineDeeds(world: World, { name, xs, ys, mm }: RobotPath): Deed[] {
   if (mm < LEAST_MM) return [];
   const followed = world.lines.some((line) => {
     const on = xs.filter((x, at) => nearestOn(line, x, ys[at] ?? 0).off <= line.width_mm / 2 + BESIDE_MM);
@@ -104,7 +104,7 @@ export function lineDeeds(world: World, { name, xs, ys, mm }: Way): Deed[] {
 }
 
 /** Who is back where it began, after it has been away. */
-export function returnDeeds(ways: readonly Way[]): Deed[] {
+export function returnDeeds(ways: readonly RobotPath[]): Deed[] {
   const back = ways.filter(({ xs, ys, mm }) => {
     const from = (at: number) => Math.hypot((xs[at] ?? 0) - (xs[0] ?? 0), (ys[at] ?? 0) - (ys[0] ?? 0));
     return mm >= LEAST_MM && from(xs.length - 1) <= BACK_MM && xs.some((_, at) => from(at) >= AWAY_MM);
@@ -117,7 +117,7 @@ export function returnDeeds(ways: readonly Way[]): Deed[] {
 const TRAIN_MM = 800;
 
 /** Where a robot was at a tick. */
-function placeAt({ xs, ys, ticks }: Way, tick: number): [number, number] {
+function placeAt({ xs, ys, ticks }: RobotPath, tick: number): [number, number] {
   const at = Math.max(
     ticks.findLastIndex((one) => one <= tick),
     0,
@@ -126,7 +126,7 @@ function placeAt({ xs, ys, ticks }: Way, tick: number): [number, number] {
 }
 
 /** Robots that drove far, each keeping near to the one before it. */
-export function trainDeeds(ways: readonly Way[]): Deed[] {
+export function trainDeeds(ways: readonly RobotPath[]): Deed[] {
   if (ways.length < 2 || ways.some(({ mm }) => mm < 2 * LEAST_MM)) return [];
   let [least, most] = [Infinity, 0];
   ways.slice(1).forEach((way, index) => {
@@ -157,7 +157,7 @@ export function wallAhead({ walls }: Pick<World, "walls">, pose: Pose, length_mm
 }
 
 /** Who stands before a wall in the end. */
-export function wallDeeds(world: World, way: Way, pose: Pose): Deed[] {
+export function wallDeeds(world: World, way: RobotPath, pose: Pose): Deed[] {
   const mm = wallAhead(world, pose, way.length_mm);
   return way.mm >= AWAY_MM && mm <= WALL_MM ? [{ kind: "before-wall", name: way.name, mm }] : [];
 }

@@ -11,7 +11,7 @@ import type { RunState } from "../../../session/run";
 import { useOpenExercise } from "../../../session/open-exercise";
 import { reachedGoal } from "./confetti";
 import type { Facts } from "./account";
-import { colourDeeds, type Deed, lineDeeds, returnDeeds, trainDeeds, wallDeeds, type Way } from "./deeds";
+import { colourDeeds, type Deed, lineDeeds, returnDeeds, trainDeeds, wallDeeds, type RobotPath } from "./deeds";
 import type { Trails } from "./trails";
 
 /** A thing that is so far from where it lay was pushed, in mm. */
@@ -28,7 +28,7 @@ const LEAST_TURN = 20;
 /** Who drove so far and touched nothing did that well, in mm. */
 const CAREFUL_MM = 1500;
 
-interface Known {
+interface RobotRecord {
   lit: number;
   turned_rad: number;
   pose: Pose;
@@ -36,7 +36,7 @@ interface Known {
 
 export class RunDiary {
   private flags = 0;
-  private robots: Known[] = [];
+  private robots: RobotRecord[] = [];
   /** Of each robot the parts that showed anything. */
   private shown = new Map<string, Set<string>>();
 
@@ -97,7 +97,7 @@ export class RunDiary {
     const { agents, world, total, collisions } = run;
     const { robots } = useStudio.getState().catalogue;
     const driven = trails.driven;
-    const ways = trails.ways.map(({ xs, ys, ticks }, at): Way => {
+    const ways = trails.ways.map(({ xs, ys, ticks }, at): RobotPath => {
       const length_mm = robots.find(({ name }) => name === agents[at]?.robot)?.length_mm ?? 0;
       return { name: agents[at]?.name ?? "", length_mm, xs, ys, ticks, mm: driven[at] ?? 0 };
     });
@@ -139,7 +139,7 @@ export class RunDiary {
   }
 
   /** Who turned without driving anywhere. */
-  private turnDeeds({ agents }: RunState, ways: readonly Way[]): Deed[] {
+  private turnDeeds({ agents }: RunState, ways: readonly RobotPath[]): Deed[] {
     if (agents.length > FEW) return [];
     return agents.flatMap(({ name }, at) => {
       const angle = Math.round(((this.robots[at]?.turned_rad ?? 0) * 180) / Math.PI);
