@@ -34,10 +34,11 @@ LINE_MS = int(os.environ.get("KITROBOT_LINE_MS", "0"))
 
 @dataclass
 class Tab:
-    """A page in a context of its own, the device it is, and how many tests it has served."""
+    """A page in a context of its own, the device it is, whether it is a newcomer's, and how many tests it has served."""
 
     page: Page
     device: dict[str, Any]
+    first_visit: bool = False
     uses: int = 0
     listeners: list[tuple[str, Callable[..., None]]] = field(default_factory=list)
 
@@ -103,12 +104,12 @@ class Tabs:
             session = context.new_cdp_session(page)
             session.send("Network.enable")
             session.send("Network.emulateNetworkConditions", line)
-        return Tab(page, device)
+        return Tab(page, device, first_visit)
 
     def give_back(self, tab: Tab, address: str) -> None:
-        """Keeps a tab whose test has ended for another one, or closes it."""
+        """Keeps a tab whose test has ended for another one, or closes it; a newcomer's shows the simple view for ever."""
         try:
-            kept = tab.clear(address)
+            kept = not tab.first_visit and tab.clear(address)
         except PlaywrightError:
             kept = False  # its page has crashed, which its test has told
         if not kept:
