@@ -55,7 +55,7 @@ describe("the plot of a value", () => {
       figures: ["70.5 cm", "40 cm", "30 cm"],
       now: "40 cm",
       said: "Distance over time: at least 30 cm, at most 70.5 cm, now 40 cm",
-      line: "M0.0 32.0H36.0V0.0H72.0V24.1H72.0",
+      line: "M0 32.0H36V0.0H72V24.1H72",
     });
   });
 
@@ -65,7 +65,7 @@ describe("the plot of a value", () => {
     page?.end();
     useRun.getState().reset();
     measured("Captor", 300, 300);
-    expect(drawn(DISTANCE, 300)).toMatchObject({ figures: ["", "30 cm", ""], line: "M0.0 16.0H72.0V16.0H72.0" });
+    expect(drawn(DISTANCE, 300)).toMatchObject({ figures: ["", "30 cm", ""], line: "M0 16.0H72" });
   });
 
   it("says what is true or false in the words of the graph", () => {

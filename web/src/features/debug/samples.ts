@@ -28,10 +28,12 @@ export function samplesNow(): readonly Sample[] {
 
 /** One value over time, oldest first. */
 export function seriesOf(taken: readonly Sample[], agent: string, name: string): [tick: number, value: number][] {
-  return taken.flatMap(({ tick, values }): [number, number][] => {
+  const series: [tick: number, value: number][] = [];
+  for (const { tick, values } of taken) {
     const value = values.get(agent)?.[name];
-    return value === undefined ? [] : [[tick, value]];
-  });
+    if (value !== undefined) series.push([tick, value]);
+  }
+  return series;
 }
 
 /** The least and the most that a series and the present value reach. */
@@ -49,18 +51,37 @@ export function levelOf(value: number, { height }: { height: number }, { least, 
   return least === most ? height / 2 : ((most - value) / (most - least)) * height;
 }
 
-/** A value as steps: `d` of a path in a box of that size, over the ticks `from`…`to`. */
+/**
+ * A value as steps: `d` of a path in a box of that size, over the ticks `from`…`to`.
+ *
+ * Only what changes is drawn, and of one column of the box only what is seen: how far it reaches and where it ends. A
+ * path is as long as the box is wide, however many moments there are.
+ */
 export function stepsPath(
   series: readonly [tick: number, value: number][],
   box: { width: number; height: number },
   span: Bounds & { from: number; to: number },
 ): string {
-  const x = (tick: number) => (((tick - span.from) / Math.max(1, span.to - span.from)) * box.width).toFixed(1);
+  const column = (tick: number) => Math.round(((tick - span.from) / Math.max(1, span.to - span.from)) * box.width * 2);
   const y = (value: number) => levelOf(value, box, span).toFixed(1);
-  const [first, ...rest] = series;
+  const [first] = series;
   if (first === undefined) return "";
-  const steps = rest.map(([tick, value]) => `H${x(tick)}V${y(value)}`).join("");
-  return `M${x(first[0])} ${y(first[1])}${steps}H${x(span.to)}`;
+  let at = column(first[0]);
+  let path = `M${String(at / 2)} ${y(first[1])}`;
+  let [drawn, last, least, most] = [first[1], first[1], first[1], first[1]];
+  for (const [tick, value] of series) {
+    if (value === last) continue;
+    const now = column(tick);
+    if (now !== at) {
+      path += `${last === drawn ? "" : `V${y(last)}`}H${String(now / 2)}`;
+      [at, drawn, least, most] = [now, last, last, last];
+    }
+    last = value;
+    if (value >= least && value <= most) continue;
+    path += `V${y(value)}`;
+    [drawn, least, most] = [value, Math.min(least, value), Math.max(most, value)];
+  }
+  return `${path}${last === drawn ? "" : `V${y(last)}`}H${String(column(span.to) / 2)}`;
 }
 
 /** Takes samples as the run goes; the returned function ends that. */
