@@ -1,4 +1,4 @@
-import { afterEach, beforeEach, expect, it } from "vitest";
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
 import type { StartedMessage } from "../api/generated";
 import { talk, talkThrough } from "../api/line";
@@ -66,6 +66,7 @@ let off = (): void => undefined;
 
 beforeEach(() => {
   ends = [];
+  vi.stubGlobal("requestAnimationFrame", (picture: FrameRequestCallback) => picture(0));
   talkThrough({
     ...usual,
     socket: () => {
@@ -83,6 +84,7 @@ afterEach(() => {
   off();
   useRun.getState().reset();
   talkThrough(usual);
+  vi.unstubAllGlobals();
 });
 
 const mission = () => useStudio.getState().mission;
