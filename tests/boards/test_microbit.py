@@ -165,7 +165,9 @@ def place(board: Emulated, program: BoardProgram) -> None:
 def test_the_heart_is_sent_started_and_stopped_with_the_commands_of_a_user(used_microbit: Emulated) -> None:
     microbit = used_microbit
     to = ("--to", microbit.address)
-    sent = called("deploy", str(HEART), *to, "--fresh")
+    mine = bytes(range(90))
+    put(microbit.address, mine)
+    sent = called("deploy", str(HEART), *to, "--fresh")  # removes what is KitRobot's alone
     assert sent.returncode == 0, sent.stdout + sent.stderr
     assert "bytes of memory are left" in " ".join(sent.stdout.split())
     for word, said in (("stop", "stopped"), ("start", "started"), ("log", "no fault")):
@@ -181,20 +183,16 @@ def test_the_heart_is_sent_started_and_stopped_with_the_commands_of_a_user(used_
         first = board.hello.tick
         assert any(board.greet().tick > first for _ in range(100)), "its program goes on"
     mpremote_enters_it(microbit)
-    another_example_runs_on_it_and_a_file_of_the_user_is_left_alone(microbit)
+    another_example_runs_on_it_and_a_file_of_the_user_is_left_alone(microbit, mine)
 
 
 def mpremote_enters_it(microbit: Emulated) -> None:
     assert mpremote(microbit.address, "resume", "exec", "print(6*7)").strip() == "42"
 
 
-def another_example_runs_on_it_and_a_file_of_the_user_is_left_alone(microbit: Emulated) -> None:
-    mine = bytes(range(90))
-    put(microbit.address, mine)
+def another_example_runs_on_it_and_a_file_of_the_user_is_left_alone(microbit: Emulated, mine: bytes) -> None:
     program = load_board_program(EXAMPLES / "dice" / "dice.krt")
-    deploy(
-        microbit.address, program.file.to_bytes(), program.package, fresh=True
-    )  # it removes what is KitRobot's alone
+    place(microbit, program)
     compared(microbit.address, program, find_robot("microbit"), seed=13, ticks=STEPS)
     with receiving(microbit.address) as receiver:
         assert receiver.read("data") == mine
@@ -234,12 +232,13 @@ KEYS_AND_SHAKING = (
     " [Shake.IsShaken()](Display.Number(Dice.Value()); )!(Display.Clear(); );"
 )
 MELODY = "Music.Play(1); WAIT(2);"
-TOGETHER = [TILT_AND_SOUND + CHANCE, PINS + KEYS_AND_SHAKING, MELODY]
+TOGETHER = [TILT_AND_SOUND + CHANCE, MELODY]
+"""What more there is does test_a_program_that_fills_the_flash_is_sent_afresh."""
 MUSIC_BY_KEY = (
     "[ButtonA.IsPressed()](Music.Play(1); )!(Music.Stop(); );"
     " [Shake.IsShaken()](Display.Number(Dice.Value()); )!(Display.Clear(); );"
 )
-APART = [TILT_AND_SOUND, PINS, CHANCE, MUSIC_BY_KEY]
+APART = [PINS + KEYS_AND_SHAKING, TILT_AND_SOUND, PINS, CHANCE, MUSIC_BY_KEY]
 USES = cases(TOGETHER, APART)
 
 
@@ -275,6 +274,9 @@ def test_a_program_that_fills_the_flash_is_sent_afresh_whatever_lies_freed_besid
             if first == 255:  # unused; now as if a file had been there and was removed
                 receiver.write_words(flash.area.address(place), bytes((0, 255, 255, 255)))
     send()
+    compared(used_microbit.address, program, find_robot("microbit"), seed=14, ticks=STEPS)
+    with connect(used_microbit.address, PATIENCE_S) as board:
+        assert board.last_fault() is None
 
 
 PARTS = 4 if THOROUGH else 1
