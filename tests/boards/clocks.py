@@ -49,20 +49,28 @@ class TrafficClock:
 
     So nobody waits longer than a board does, and none gives up a host that only has to wait for a processor. Without a
     host it goes as that of the wall.
+
+    Args:
+        wall: the clock of the wall, in seconds.
+        granted_s: how long it goes as that of the wall.
+        slow_pace: how fast it goes from then on.
     """
 
     pace = 1.0
 
-    def __init__(self, wall: Callable[[], float] = time.monotonic) -> None:
+    def __init__(
+        self, wall: Callable[[], float] = time.monotonic, granted_s: float = GRANTED_S, slow_pace: float = SLOW_PACE
+    ) -> None:
         self._wall = wall
+        self._granted_s, self._slow_pace = granted_s, slow_pace
         self._has_host = False
         self._since = wall()
         self._ms = 0.0
 
     def ms(self) -> float:
         passed = self._wall() - self._since
-        granted = min(passed, GRANTED_S) if self._has_host else passed
-        return self._ms + 1000 * (granted + (passed - granted) * SLOW_PACE)
+        granted = min(passed, self._granted_s) if self._has_host else passed
+        return self._ms + 1000 * (granted + (passed - granted) * self._slow_pace)
 
     def heard(self) -> None:
         self._begin(True)

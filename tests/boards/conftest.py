@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from kitrobot.deploy.line.line import Line
+from tests.boards.clocks import TrafficClock
 from tests.boards.modern import ModernBoard, onboard_files
 from tests.boards.qemu import Emulated, running
 
@@ -17,6 +19,24 @@ def _own_folders(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("KITROBOT_CONFIG", str(tmp_path / "no-config"))
     monkeypatch.setenv("KITROBOT_STATE", str(tmp_path / "state"))
     monkeypatch.delenv("KITROBOT_BOARDS", raising=False)
+
+
+@pytest.fixture
+def patient_host(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A host that gives up no board that only has to wait for a processor: two seconds after its last byte, the clock
+    by which lines wait goes a tenth as fast.
+    """
+    clock = TrafficClock(granted_s=2.0, slow_pace=0.1)
+    clock.heard()
+    read = Line.read
+
+    def read_and_note(line: Line, timeout_s: float) -> bytes:
+        if data := read(line, timeout_s):
+            clock.heard()
+        return data
+
+    monkeypatch.setattr(Line, "now", lambda line: clock.ms() / 1000)
+    monkeypatch.setattr(Line, "read", read_and_note)
 
 
 @pytest.fixture

@@ -22,6 +22,8 @@ from tests.boards.proxy import Proxy, noise
 from tests.effort import THOROUGH
 from tests.patience import PATIENCE_S
 
+pytestmark = pytest.mark.usefixtures("patient_host")
+
 EVERY = 1 if THOROUGH else 100
 SEEDS = range(20 if THOROUGH else 1)
 """In the thorough profile every single message is cut, and many seeds are tried; else one of 100, and one."""

@@ -165,7 +165,9 @@ def place(board: Emulated, program: BoardProgram) -> None:
 def test_the_heart_is_sent_started_and_stopped_with_the_commands_of_a_user(used_microbit: Emulated) -> None:
     microbit = used_microbit
     to = ("--to", microbit.address)
-    sent = called("deploy", str(HEART), *to, "--fresh")
+    mine = bytes(range(90))
+    put(microbit.address, mine)
+    sent = called("deploy", str(HEART), *to, "--fresh")  # removes what is KitRobot's alone
     assert sent.returncode == 0, sent.stdout + sent.stderr
     assert "bytes of memory are left" in " ".join(sent.stdout.split())
     for word, said in (("stop", "stopped"), ("start", "started"), ("log", "no fault")):
@@ -181,20 +183,16 @@ def test_the_heart_is_sent_started_and_stopped_with_the_commands_of_a_user(used_
         first = board.hello.tick
         assert any(board.greet().tick > first for _ in range(100)), "its program goes on"
     mpremote_enters_it(microbit)
-    another_example_runs_on_it_and_a_file_of_the_user_is_left_alone(microbit)
+    another_example_runs_on_it_and_a_file_of_the_user_is_left_alone(microbit, mine)
 
 
 def mpremote_enters_it(microbit: Emulated) -> None:
     assert mpremote(microbit.address, "resume", "exec", "print(6*7)").strip() == "42"
 
 
-def another_example_runs_on_it_and_a_file_of_the_user_is_left_alone(microbit: Emulated) -> None:
-    mine = bytes(range(90))
-    put(microbit.address, mine)
+def another_example_runs_on_it_and_a_file_of_the_user_is_left_alone(microbit: Emulated, mine: bytes) -> None:
     program = load_board_program(EXAMPLES / "dice" / "dice.krt")
-    deploy(
-        microbit.address, program.file.to_bytes(), program.package, fresh=True
-    )  # it removes what is KitRobot's alone
+    place(microbit, program)
     compared(microbit.address, program, find_robot("microbit"), seed=13, ticks=STEPS)
     with receiving(microbit.address) as receiver:
         assert receiver.read("data") == mine
@@ -218,63 +216,6 @@ def test_three_hundred_instructions_fit_and_give_the_same_commands_in_every_tick
     assert Image.from_bytes(program.file.image).instructions > 300
     place(used_microbit, program)
     compared(used_microbit.address, program, bench_robot(tmp_path), seed=12, ticks=STEPS)
-
-
-TILT_AND_SOUND = (
-    "[TiltX.IsLeft()](Display.Number(1); )!(Display.Number(2); ); [TiltY.IsForward()](Display.Number(3); )!();"
-    " Music.Tone(440, 200); WAIT(2); Music.Stop();"
-)
-PINS = (
-    "Pin1.Write(1); WAIT(1); Pin1.Analog(500); WAIT(1); Pin2.Servo(90); WAIT(1); Pin1.Write(0);"
-    " [Pin1.IsHigh()](Display.Pixel(1, 2, 9); )!(Display.Clear(); );"
-)
-CHANCE = "[Random.LessThan(50)](Display.Number(Dice.Value()); )!(Display.Scroll(12); );"
-KEYS_AND_SHAKING = (
-    "[ButtonA.IsPressed()](Display.Number(4); )!();"
-    " [Shake.IsShaken()](Display.Number(Dice.Value()); )!(Display.Clear(); );"
-)
-MELODY = "Music.Play(1); WAIT(2);"
-TOGETHER = [TILT_AND_SOUND + CHANCE, PINS + KEYS_AND_SHAKING, MELODY]
-MUSIC_BY_KEY = (
-    "[ButtonA.IsPressed()](Music.Play(1); )!(Music.Stop(); );"
-    " [Shake.IsShaken()](Display.Number(Dice.Value()); )!(Display.Clear(); );"
-)
-APART = [TILT_AND_SOUND, PINS, CHANCE, MUSIC_BY_KEY]
-USES = cases(TOGETHER, APART)
-
-
-@pytest.mark.parametrize("text", USES)
-def test_all_devices_of_it_work_there(used_microbit: Emulated, tmp_path: Path, text: str) -> None:
-    path = tmp_path / "devices.lll"
-    path.write_text(f"*[Run.IsTrue()]({text} WAIT(1); );\n", encoding="utf-8")
-    program = load_board_program(path, robot="microbit")
-    place(used_microbit, program)
-    compared(used_microbit.address, program, find_robot("microbit"), seed=14, ticks=STEPS)
-    with connect(used_microbit.address, PATIENCE_S) as board:
-        assert board.last_fault() is None
-
-
-def test_a_program_that_fills_the_flash_is_sent_afresh_whatever_lies_freed_beside_its_loop(
-    used_microbit: Emulated, tmp_path: Path
-) -> None:
-    path = tmp_path / "devices.lll"
-    path.write_text(f"*[Run.IsTrue()]({PINS + KEYS_AND_SHAKING} WAIT(1); );\n", encoding="utf-8")
-    program = load_board_program(path, robot="microbit")
-
-    def send() -> None:
-        deploy(used_microbit.address, program.file.to_bytes(), program.package, fresh=True)
-
-    send()
-    with receiving(used_microbit.address) as receiver:
-        for name in receiver.names():
-            if name != boot_records.MAIN:
-                receiver.remove(name)
-        flash = Flash.of(receiver)
-        assert flash is not None
-        for place, first in enumerate(flash.area.firsts):
-            if first == 255:  # unused; now as if a file had been there and was removed
-                receiver.write_words(flash.area.address(place), bytes((0, 255, 255, 255)))
-    send()
 
 
 PARTS = 4 if THOROUGH else 1
@@ -366,26 +307,6 @@ def test_a_program_that_does_not_fit_is_refused_and_the_old_one_goes_on(
     assert small.is_called(runs(used_microbit.address))
 
 
-def test_it_does_the_ticks_of_a_member_and_waits_when_another_of_its_team_has_no_program(
-    used_microbit: Emulated, tmp_path: Path
-) -> None:
-    with socket.create_server(("127.0.0.1", 0)) as listener:
-        nobody = f"socket://127.0.0.1:{listener.getsockname()[1]}"
-    boards = ("--board", f"bit-1={nobody}", "--board", f"bit-2={used_microbit.address}")
-    sending = called("deploy", str(write_crew(tmp_path)), "--team", *boards, "--fresh")
-    said = " ".join(sending.stderr.split())
-    assert sending.returncode == 1
-    assert "no robot of the team is started; mend what is said above of bit-1" in said
-    assert "the new program is already on the boards of these, where it waits: bit-2" in said
-    with connect(used_microbit.address, PATIENCE_S) as board:
-        assert board.hello.free > 2200
-        board.begin_member()
-        assert board.member_tick({}), "the number of its thread is no longer 0"
-        assert board.greet().tick == 1
-        board.stop()
-        assert board.last_fault() is None
-
-
 RAISES = STORES.format(mark="one").replace(
     "        pass\n\n    def done", "        raise OSError(arguments[0])\n\n    def done"
 )
@@ -412,6 +333,87 @@ def test_a_device_that_fails_stops_the_robot_and_is_told_with_its_instruction(
         assert fault.instruction is not None
         assert Image.from_bytes(program.file.image).code[4 * fault.instruction] == 15, "ACT"
         assert board.greet().state == 4
+
+
+TILT_AND_SOUND = (
+    "[TiltX.IsLeft()](Display.Number(1); )!(Display.Number(2); ); [TiltY.IsForward()](Display.Number(3); )!();"
+    " Music.Tone(440, 200); WAIT(2); Music.Stop();"
+)
+PINS = (
+    "Pin1.Write(1); WAIT(1); Pin1.Analog(500); WAIT(1); Pin2.Servo(90); WAIT(1); Pin1.Write(0);"
+    " [Pin1.IsHigh()](Display.Pixel(1, 2, 9); )!(Display.Clear(); );"
+)
+CHANCE = "[Random.LessThan(50)](Display.Number(Dice.Value()); )!(Display.Scroll(12); );"
+KEYS_AND_SHAKING = (
+    "[ButtonA.IsPressed()](Display.Number(4); )!();"
+    " [Shake.IsShaken()](Display.Number(Dice.Value()); )!(Display.Clear(); );"
+)
+MELODY = "Music.Play(1); WAIT(2);"
+TOGETHER = [TILT_AND_SOUND + CHANCE]
+"""Pins, keys and shaking: test_a_program_that_fills_the_flash_is_sent_afresh."""
+MUSIC_BY_KEY = (
+    "[ButtonA.IsPressed()](Music.Play(1); )!(Music.Stop(); );"
+    " [Shake.IsShaken()](Display.Number(Dice.Value()); )!(Display.Clear(); );"
+)
+APART = [MELODY, PINS + KEYS_AND_SHAKING, TILT_AND_SOUND, PINS, CHANCE, MUSIC_BY_KEY]
+USES = cases(TOGETHER, APART)
+
+
+@pytest.mark.parametrize("text", USES)
+def test_all_devices_of_it_work_there(used_microbit: Emulated, tmp_path: Path, text: str) -> None:
+    path = tmp_path / "devices.lll"
+    path.write_text(f"*[Run.IsTrue()]({text} WAIT(1); );\n", encoding="utf-8")
+    program = load_board_program(path, robot="microbit")
+    place(used_microbit, program)
+    compared(used_microbit.address, program, find_robot("microbit"), seed=14, ticks=STEPS)
+    with connect(used_microbit.address, PATIENCE_S) as board:
+        assert board.last_fault() is None
+
+
+def test_a_program_that_fills_the_flash_is_sent_afresh_whatever_lies_freed_beside_its_loop(
+    used_microbit: Emulated, tmp_path: Path
+) -> None:
+    path = tmp_path / "devices.lll"
+    path.write_text(f"*[Run.IsTrue()]({PINS + KEYS_AND_SHAKING} WAIT(1); );\n", encoding="utf-8")
+    program = load_board_program(path, robot="microbit")
+
+    def send() -> None:
+        deploy(used_microbit.address, program.file.to_bytes(), program.package, fresh=True)
+
+    send()
+    with receiving(used_microbit.address) as receiver:
+        for name in receiver.names():
+            if name != boot_records.MAIN:
+                receiver.remove(name)
+        flash = Flash.of(receiver)
+        assert flash is not None
+        for place, first in enumerate(flash.area.firsts):
+            if first == 255:  # unused; now as if a file had been there and was removed
+                receiver.write_words(flash.area.address(place), bytes((0, 255, 255, 255)))
+    send()
+    compared(used_microbit.address, program, find_robot("microbit"), seed=14, ticks=STEPS)
+    with connect(used_microbit.address, PATIENCE_S) as board:
+        assert board.last_fault() is None
+
+
+def test_it_does_the_ticks_of_a_member_and_waits_when_another_of_its_team_has_no_program(
+    used_microbit: Emulated, tmp_path: Path
+) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        nobody = f"socket://127.0.0.1:{listener.getsockname()[1]}"
+    boards = ("--board", f"bit-1={nobody}", "--board", f"bit-2={used_microbit.address}")
+    sending = called("deploy", str(write_crew(tmp_path)), "--team", *boards, "--fresh")
+    said = " ".join(sending.stderr.split())
+    assert sending.returncode == 1
+    assert "no robot of the team is started; mend what is said above of bit-1" in said
+    assert "the new program is already on the boards of these, where it waits: bit-2" in said
+    with connect(used_microbit.address, PATIENCE_S) as board:
+        assert board.hello.free > 2200
+        board.begin_member()
+        assert board.member_tick({}), "the number of its thread is no longer 0"
+        assert board.greet().tick == 1
+        board.stop()
+        assert board.last_fault() is None
 
 
 @pytest.mark.thorough(

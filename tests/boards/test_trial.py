@@ -149,6 +149,7 @@ def confirmed_and_hanging(board: Any, folder: Path) -> None:
 
 
 @pytest.mark.boards
+@pytest.mark.thorough("the other tests of this file, on a current MicroPython")
 def test_on_a_micro_bit_of_2016_what_never_returns_costs_one_power_cut_and_its_prompt_is_reachable(
     microbit: Emulated, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

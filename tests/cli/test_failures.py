@@ -158,8 +158,13 @@ def test_what_cannot_be_told_changes_no_work(tmp_path):
 
 
 @posix
-@pytest.mark.parametrize("command", ["studio --no-browser", "class --no-browser"])
-@pytest.mark.parametrize("how", ["2>/dev/full >/dev/full", "2>&- >&-"])
+@pytest.mark.parametrize(
+    ("command", "how"),
+    cases(
+        [("studio --no-browser", "2>&- >&-"), ("class --no-browser", "2>/dev/full >/dev/full")],
+        [("studio --no-browser", "2>/dev/full >/dev/full"), ("class --no-browser", "2>&- >&-")],
+    ),
+)
 def test_servers_open_whatever_the_streams_are(command: str, how: str, tmp_path):
     """A page is there, and Ctrl-C ends it."""
     folder, probe = tmp_path / "Folder", socket.create_server(("127.0.0.1", 0))

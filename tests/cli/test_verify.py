@@ -11,10 +11,12 @@ from kitrobot.cli.verify import progress_words
 
 ROOT = Path(__file__).parents[2]
 SMALL = ROOT / "examples" / "passing-loop" / "passing-loop.krt"
+ENDLESS = ("--seconds", "1e9")
+"""A check that no busy machine cuts short."""
 
 
 def test_every_property_that_holds_is_in_the_table(kitrobot) -> None:
-    said = kitrobot("verify", SMALL, "--timing", "lockstep")
+    said = kitrobot("verify", SMALL, "--timing", "lockstep", *ENDLESS)
     assert said.status == 0, said
     rows = {line.split()[0]: line.split()[1:] for line in said.out.splitlines() if line and line[0] != " "}
     assert rows["empty-storehouse"] == ["holds"]
@@ -30,7 +32,7 @@ def test_what_is_broken_is_told_as_a_run_and_confirmed(kitrobot, tmp_path: Path)
     )
     path = tmp_path / "greedy.krt"
     path.write_text(text, encoding="utf-8")
-    arguments = ("verify", path, "--timing", "lockstep", "--property", "empty-storehouse", "--seconds", "600")
+    arguments = ("verify", path, "--timing", "lockstep", "--property", "empty-storehouse", *ENDLESS)
     said = kitrobot(*arguments)
     assert said.status == 1
     assert "reaches into the empty storehouse A\n  confirmed in the simulator: seed 1, at " in said.out
@@ -43,7 +45,7 @@ def test_what_is_broken_is_told_as_a_run_and_confirmed(kitrobot, tmp_path: Path)
 
 
 def test_a_search_that_is_cut_never_holds(kitrobot) -> None:
-    said = kitrobot("verify", SMALL, "--timing", "free", "--max-states", "50", "--json")
+    said = kitrobot("verify", SMALL, "--timing", "free", "--max-states", "50", "--json", *ENDLESS)
     assert said.status == 3
     checked = said.json["checks"][0]
     assert (checked["states"], checked["complete"], checked["cut"]) == (50, False, "states")
@@ -88,7 +90,7 @@ def test_a_check_that_makes_no_sense_is_refused(kitrobot, options: tuple[str, ..
 
 def test_a_team_is_checked_with_members_that_fail_and_what_is_cut_is_not_finished(kitrobot) -> None:
     convoy = ROOT / "examples" / "convoy" / "convoy.krt"
-    said = kitrobot("verify", convoy, "--timing", "lockstep", "--failures", "1", "--max-states", "2000")
+    said = kitrobot("verify", convoy, "--timing", "lockstep", "--failures", "1", "--max-states", "2000", *ENDLESS)
     assert said.status == 3
     assert re.search(r"deadlock +holds +not finished", said.out)
 
@@ -103,20 +105,20 @@ def test_a_property_about_nothing_is_left_out_or_vacuous_and_the_check_says_so(k
     path = tmp_path / "asked.krt"
     text = SMALL.read_text(encoding="utf-8")
     path.write_text(text.replace("  <world", f"{lines}  <world", 1), encoding="utf-8")
-    said = kitrobot("verify", path, "--timing", "lockstep")
+    said = kitrobot("verify", path, "--timing", "lockstep", *ENDLESS)
     assert "vacuous" in next(line for line in said.out.splitlines() if line.startswith("never"))
     for name, (_, words) in asked.items():
         if words:
             assert f"the property {name} is left out: " in said.out
             assert words in said.out
-            alone = kitrobot("verify", path, "--timing", "lockstep", "--property", name)
+            alone = kitrobot("verify", path, "--timing", "lockstep", "--property", name, *ENDLESS)
             assert (alone.status, alone.out) == (1, "")
             assert f"this mission has no property {name}" in alone.err
 
 
 def test_who_shares_nothing_has_no_radio_to_lose_and_a_check_of_that_says_so(kitrobot) -> None:
     blink = ROOT / "examples" / "blink" / "blink.krt"
-    said = kitrobot("verify", blink, "--timing", "lockstep", "--failures", "1", "--kind", "mute")
+    said = kitrobot("verify", blink, "--timing", "lockstep", "--failures", "1", "--kind", "mute", *ENDLESS)
     assert said.status == 0, said
     assert "lockstep, 1 failure (mute)" in said.out
     assert "taken for granted: nobody loses its radio" in said.out

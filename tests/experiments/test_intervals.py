@@ -7,7 +7,7 @@ import random
 from collections.abc import Callable
 
 import pytest
-from scipy import stats
+import scipy
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.experiments.statistics.interval import Interval, StatisticsError
@@ -28,7 +28,7 @@ def test_a_share_has_the_interval_of_scipy(method: ShareMethod, confidence: floa
     for runs in (1, 2, 7, 30, 1000, 20_000):
         for successes in {0, 1, runs // 3, runs // 2, runs - 1, runs}:
             found = share_interval(successes, runs, confidence, method)
-            oracle = stats.binomtest(successes, runs).proportion_ci(confidence, method)
+            oracle = scipy.stats.binomtest(successes, runs).proportion_ci(confidence, method)
             expected = oracle.low, oracle.high
             assert (found.low, found.high) == pytest.approx(expected, rel=1e-8, abs=1e-12), (successes, runs)
             assert found.low <= found.estimate == successes / runs <= found.high
@@ -37,7 +37,7 @@ def test_a_share_has_the_interval_of_scipy(method: ShareMethod, confidence: floa
 def coverage(method: ShareMethod, runs: int, share: float) -> float:
     """How often the interval of so many runs holds the share: over all that may come out."""
     held = 0.0
-    for successes, weight in enumerate(stats.binom.pmf(range(runs + 1), runs, share)):
+    for successes, weight in enumerate(scipy.stats.binom.pmf(range(runs + 1), runs, share)):
         found = share_interval(successes, runs, 0.95, method)
         held += weight * (found.low <= share <= found.high)
     return held
@@ -60,7 +60,9 @@ def test_more_runs_and_less_confidence_make_a_share_narrower(method: ShareMethod
 def test_a_mean_has_the_interval_of_scipy() -> None:
     for confidence in (0.5, 0.95, 0.999):
         found = mean_interval(ONES, confidence)
-        oracle = stats.t.interval(confidence, len(ONES) - 1, loc=sum(ONES) / len(ONES), scale=stats.sem(ONES))
+        oracle = scipy.stats.t.interval(
+            confidence, len(ONES) - 1, loc=sum(ONES) / len(ONES), scale=scipy.stats.sem(ONES)
+        )
         assert (found.low, found.high) == pytest.approx(oracle)
         assert found.estimate == pytest.approx(sum(ONES) / len(ONES))
 
@@ -68,7 +70,9 @@ def test_a_mean_has_the_interval_of_scipy() -> None:
 def test_the_bootstrap_comes_near_that_of_scipy_and_is_decided_by_its_seed() -> None:
     values = [5.0 * 1.17**n for n in range(25)]
     found = mean_interval(values, 0.9, "bootstrap", 4)
-    oracle = stats.bootstrap((values,), lambda v, axis: v.mean(axis), confidence_level=0.9, n_resamples=20_000, rng=1)
+    oracle = scipy.stats.bootstrap(
+        (values,), lambda v, axis: v.mean(axis), confidence_level=0.9, n_resamples=20_000, rng=1
+    )
     width = oracle.confidence_interval.high - oracle.confidence_interval.low
     assert found.low == pytest.approx(oracle.confidence_interval.low, abs=width / 20)
     assert found.high == pytest.approx(oracle.confidence_interval.high, abs=width / 20)
@@ -77,7 +81,7 @@ def test_the_bootstrap_comes_near_that_of_scipy_and_is_decided_by_its_seed() -> 
 
 
 def test_a_paired_difference_is_that_of_scipys_paired_test() -> None:
-    oracle = stats.ttest_rel(OTHERS, ONES)
+    oracle = scipy.stats.ttest_rel(OTHERS, ONES)
     interval = oracle.confidence_interval(0.95)
     found = paired_difference(ONES, OTHERS)
     assert (found.low, found.high) == pytest.approx((interval.low, interval.high))
@@ -100,7 +104,7 @@ def test_holm_multiplies_the_smallest_most_and_keeps_their_order() -> None:
 def test_holm_finds_a_difference_where_there_is_none_in_at_most_one_of_twenty_studies() -> None:
     chance = random.Random(11)
     wrong = sum(min(holm([chance.random() for _ in range(5)])) < 0.05 for _ in range(20 * STUDIES))
-    assert wrong <= stats.binom.ppf(1 - 1e-6, 20 * STUDIES, 0.05)
+    assert wrong <= scipy.stats.binom.ppf(1 - 1e-6, 20 * STUDIES, 0.05)
 
 
 def holding(studies: int, draw: Callable[[random.Random], Interval], truth: float) -> int:
@@ -112,7 +116,7 @@ def holding(studies: int, draw: Callable[[random.Random], Interval], truth: floa
 @pytest.mark.parametrize("count", cases([2, 10], [40]))
 def test_intervals_of_means_hold_the_truth_as_often_as_they_say(count: int) -> None:
     held = holding(STUDIES, lambda chance: mean_interval([chance.gauss(60, 4) for _ in range(count)]), 60)
-    low, high = (stats.binom.ppf(end, STUDIES, 0.95) for end in (1e-6, 1 - 1e-6))
+    low, high = (scipy.stats.binom.ppf(end, STUDIES, 0.95) for end in (1e-6, 1 - 1e-6))
     assert low <= held <= high
 
 
@@ -122,7 +126,7 @@ def test_bootstrap_intervals_of_lopsided_values_hold_the_truth_nearly_as_often_a
     def draw(chance: random.Random) -> Interval:
         return mean_interval([chance.expovariate(1 / 60) for _ in range(30)], 0.95, "bootstrap", chance.randrange(99))
 
-    assert holding(studies, draw, 60) >= stats.binom.ppf(1e-4, studies, 0.9)
+    assert holding(studies, draw, 60) >= scipy.stats.binom.ppf(1e-4, studies, 0.9)
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy import stats
+import scipy
 
 from kitrobot.experiments.statistics import stopping_rule
 from kitrobot.experiments.statistics.confidence_sequence import anytime_ends
@@ -62,7 +62,7 @@ def exact_coverage(plan: LookPlan, share: float) -> tuple[float, float]:
     going = np.array([1.0])
     before, held, precise = 0, 0.0, 0.0
     for look in plan.looks:
-        going = np.convolve(going, stats.binom.pmf(range(look.runs - before + 1), look.runs - before, share))
+        going = np.convolve(going, scipy.stats.binom.pmf(range(look.runs - before + 1), look.runs - before, share))
         before = look.runs
         for successes in range(look.runs + 1):
             if going[successes] < 1e-15:
@@ -100,7 +100,7 @@ def test_what_is_known_holds_the_share_whenever_somebody_breaks_off(known_ends: 
             if not interval.low <= 0.9 <= interval.high:
                 missed += 1
                 break
-    assert missed <= stats.binom.ppf(1 - 1e-6, STUDIES // 3, 0.2)
+    assert missed <= scipy.stats.binom.ppf(1 - 1e-6, STUDIES // 3, 0.2)
 
 
 @pytest.mark.parametrize("share", cases([0.5, 0.97], [0.05, 0.8]))
@@ -130,7 +130,7 @@ def test_simulated_studies_hold_the_share_and_what_is_nearly_certain_takes_fewer
             assert interval.error <= 0.05 + 1e-12
             held += interval.low <= truth <= interval.high
             runs += share.runs
-        assert held >= stats.binom.ppf(1e-6, STUDIES, 0.95)
+        assert held >= scipy.stats.binom.ppf(1e-6, STUDIES, 0.95)
         assert (runs / STUDIES < 0.7 * plan.most_runs) == (truth > 0.9)
 
 

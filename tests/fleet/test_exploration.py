@@ -83,14 +83,14 @@ def _go(plan: Plan, most: int = 600_000) -> tuple[ThreeAgents, Exploration[Team]
     cases(
         [
             pytest.param(Plan(MEETING, letters=3, prompt=True), 3_257, id="meeting"),
-            pytest.param(Plan(MEETING, Faults(crashes=1), 2, True), 7_255, id="meeting-crash"),
             pytest.param(Plan(ROLE, Faults(crashes=1), 2, True), 3_094, id="role-crash"),
             pytest.param(Plan(ROLE, Faults(cuts=1), 2, True), 8_136, id="role-cut"),
             pytest.param(Plan(WORK, Faults(crashes=1), 3, True), 6_702, id="work-crash"),
-            pytest.param(Plan(WORK, Faults(cuts=1), 2, True), 4_898, id="work-cut"),
             pytest.param(Plan(WORK, Faults(lost=1, doubled=1), 3, True), 2_662, id="work-lost-doubled"),
         ],
         [
+            pytest.param(Plan(MEETING, Faults(crashes=1), 2, True), 7_255, id="meeting-crash"),
+            pytest.param(Plan(WORK, Faults(cuts=1), 2, True), 4_898, id="work-cut"),
             pytest.param(Plan(MEETING, Faults(lost=1), 3, True), 30_705, id="meeting-lost"),
         ],
     ),
@@ -116,7 +116,7 @@ def test_every_run_of_three_keeps_the_laws_and_settles_when_nothing_disturbs_it(
     ],
 )
 def test_the_first_states_of_longer_runs_keep_the_laws_and_settle(plan: Plan) -> None:
-    model, explored = _go(plan, cases([2_000], [200_000])[-1])
+    model, explored = _go(plan, cases([1_000], [200_000])[-1])
     assert explored.broken is None, str(explored.broken)
     undone = {what for state in explored.states if (what := what_stays_undone(model, state))}
     assert undone == set()
@@ -218,9 +218,9 @@ def test_the_run_that_refutes_is_told_event_by_event(monkeypatch: pytest.MonkeyP
 
 def test_a_team_that_never_changes_its_view_does_not_settle_after_a_crash(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(membership, "change_wanted", lambda *what: None)
-    model, explored = _go(Plan(ROLE, Faults(crashes=1), 2, True))
+    model, explored = _go(Plan(ROLE, Faults(crashes=1), 2, True), 200)
     assert explored.broken is None
-    undone = {what_stays_undone(model, state, rounds=12) for state in explored.states[:200]}
+    undone = {what_stays_undone(model, state, rounds=12) for state in explored.states}
     assert undone == {"", "all that run, and nobody else, are in the view"}
 
 

@@ -209,7 +209,7 @@ class Bench:
         host = self.host
         inputs = (0,) * host.machine.layout.inputs
         for serial in range(1, MOST_TICKS):
-            (reply,) = host.frame(now, Frame(serial, 0, False, False, inputs, serial))
+            (reply,) = host.frame(now, Frame(serial, host.replica.slot, False, False, inputs, serial))
             if reply.ticked is None or reply.quiet or host.sendings or host.team_devices.waiting or self.slots:
                 break
         host.replies = []
@@ -230,6 +230,7 @@ class ThreeAgents:
         self.numbers: dict[object, int] = {}
         self.reactions: dict[tuple[int, object, int], Reaction] = {}
         self.calm: dict[int, int] = {}
+        self.beats: dict[Team, tuple[Team, bool, str]] = {}
         self.known: dict[object, Any] = {}
         self.views: dict[tuple[Batch, ...], View] = {}
 
@@ -318,11 +319,14 @@ class ThreeAgents:
         assert not team.letters
         self.are_prompt = self.plan.prompt
         self.reactions.clear()
+        self.beats.clear()
         return team
 
     def after(self, team: Team, member: int, reaction: Reaction) -> Team:
         """The team after a step of one agent."""
         letters = team.letters
+        if not reaction.letters and reaction.agent == team.agents[member]:
+            return team
         if reaction.letters:
             letters = letters.union(
                 one
@@ -330,7 +334,7 @@ class ThreeAgents:
                 for to in (self.letters[one][0],)
                 if to != team.down and (team.cut < 0 or team.cut not in (member, to))
             )
-        return team._replace(agents=_with(team.agents, member, reaction.agent), letters=letters)
+        return Team(_with(team.agents, member, reaction.agent), letters, team.faults, team.down, team.cut)
 
     def steps(self, team: Team) -> Iterator[Step[Team]]:
         faults = team.faults
@@ -392,7 +396,16 @@ class ThreeAgents:
         return [self.seat(member, team.agents[member]) for member in MEMBERS if member != team.down]
 
     def beat(self, team: Team) -> tuple[Team, bool, str]:
-        """One beat; whether somebody took a slot in; a law that was broken."""
+        """One beat; whether somebody took a slot in; a law that was broken. Looked up where it was made before."""
+        calm = Team(team.agents, frozenset(), NO_FAULTS, team.down, team.cut)
+        found = self.beats.get(calm)
+        if found is None:
+            found = self.beats[calm] = self.first_beat(calm)
+        after, told, broken = found
+        return Team(after.agents, after.letters | team.letters, team.faults, team.down, team.cut), told, broken
+
+    def first_beat(self, team: Team) -> tuple[Team, bool, str]:
+        """A beat that was not made before."""
         now, told, broken = NOW + self.charter.beat, False, ""
         heartbeats: list[tuple[int, int]] = []
         running = [member for member in MEMBERS if member != team.down]
@@ -420,7 +433,7 @@ class ThreeAgents:
             before = team
             for letter in sorted(team.letters):
                 to = self.letters[letter][0]
-                team = team._replace(letters=team.letters - {letter})
+                team = Team(team.agents, team.letters - {letter}, team.faults, team.down, team.cut)
                 team = self.after(team, to, self.reaction(to, team.agents[to], letter))
             for member in MEMBERS:
                 if member != team.down:

@@ -194,7 +194,7 @@ def test_two_windows_that_edit_the_same_program_are_each_answered_for_their_own(
             assert f"({number})" in studio.check(window)["programs"][0]["lll"]
 
 
-@settings(max_examples=examples(15), deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=examples(8), deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.randoms(use_true_random=True))
 def test_each_key_is_answered_as_by_a_studio_that_begins_anew(
     studio: Studio, mission: Mission, rng: random.Random

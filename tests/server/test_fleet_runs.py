@@ -105,7 +105,7 @@ def ended(app: Any, pids: dict[str, int]) -> bool:
 def test_it_is_a_run_like_any_other_and_goes_on_without_an_agent_that_is_killed(visit, app, tmp_path: Path) -> None:
     team = app.state.studio.boards.team
     # Only the killed agent is silent for so long, on a busy machine too.
-    team.pace, team.lease_ms = 1.0, 4000
+    team.lease_ms = 4000
     with visit() as page, visit() as other, visit("192.168.1.7") as away, page.fleet() as run:
         begun = run.until("started")
         assert [agent["name"] for agent in begun["agents"]] == NAMES

@@ -20,6 +20,7 @@ from kitrobot.text.sentences import Sentence
 from kitrobot.text.suggestions import did_you_mean
 
 if TYPE_CHECKING:
+    from kitrobot.fleet.agent_process import AgentBoard
     from kitrobot.fleet.transport import Network
     from kitrobot.sim.simulation import Simulation
     from kitrobot.workspace.mission_run import PreparedRun, RunOptions
@@ -85,9 +86,7 @@ def run_agent(
 
     The exit status is 0 when the mission was done, and 1 when it was not.
     """
-    from kitrobot.boards.teams import agent_program
-    from kitrobot.fleet.agent_process import AgentBoard, AgentProcess
-    from kitrobot.fleet.board_line import open_board
+    from kitrobot.fleet.agent_process import AgentProcess
     from kitrobot.fleet.processes import end_of_input
     from kitrobot.fleet.transport import Channel
     from kitrobot.workspace.mission_run import RunOptions
@@ -102,12 +101,7 @@ def run_agent(
         check_agent(name, names)
         secret = _key(key)
         network = _network(simulation, connect, listen, router, tls, fleet)
-        body = None
-        if board is not None:
-            program = agent_program(prepared.opened, name)
-            line = open_board(board, program, name, str(file))
-            stack.callback(line.close)
-            body = AgentBoard(line, program.file.used_actuators)
+        body = None if board is None else stack.enter_context(_agent_board(prepared, file, name, board))
         channel = Channel(network, names.index(name), secret)
         stack.callback(channel.close)
         if not with_input:
@@ -123,6 +117,21 @@ def run_agent(
         sys.stdout.write(f"{ended.sentence}\n")
     if ended.outcome != "done" and not with_input:
         raise typer.Exit(1)
+
+
+@contextmanager
+def _agent_board(prepared: PreparedRun, file: Path, name: str, port: str) -> Iterator[AgentBoard]:
+    """The board of an agent, while its line is open. What knows boards is imported by nobody else."""
+    from kitrobot.boards.teams import agent_program
+    from kitrobot.fleet.agent_process import AgentBoard
+    from kitrobot.fleet.board_line import open_board
+
+    program = agent_program(prepared.opened, name)
+    line = open_board(port, program, name, str(file))
+    try:
+        yield AgentBoard(line, program.file.used_actuators)
+    finally:
+        line.close()
 
 
 def check_agent(name: str, names: Sequence[str]) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import signal
 import threading
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -73,7 +73,6 @@ def run_team(
     Ctrl-C is the emergency stop: all robots stand still, then everything ends. The exit status is 0 when the mission
     was done.
     """
-    from kitrobot.boards.teams import boards_of
     from kitrobot.fleet.identity import identity_of
     from kitrobot.fleet.processes import Agents
     from kitrobot.fleet.team_process import FleetCallbacks
@@ -92,7 +91,7 @@ def run_team(
     names = [agent.name for agent in simulation.members]
     for name in elsewhere or ():
         check_agent(name, names)
-    boards = boards_of(board or [], names)
+    boards = _boards_of(board, names)
     _check_elsewhere(elsewhere or (), boards, key)
     endpoints = tuple(router or listen or (free_endpoint(tls is not None),))
     network = Network(
@@ -106,6 +105,15 @@ def run_team(
     print_data(json_text(result) + "\n" if as_json else _summary(result))
     if run.outcome != "done":
         raise typer.Exit(130 if run.outcome == "stopped" else 1)
+
+
+def _boards_of(given: list[str] | None, names: list[str]) -> Mapping[str, str]:
+    """The ports of agents, by name. What knows boards is imported only where there are some."""
+    if not given:
+        return {}
+    from kitrobot.boards.teams import boards_of
+
+    return boards_of(given, names)
 
 
 def _check_numbers(seed: int, seconds: float, pace: float, lease: int, wait: float | None) -> None:

@@ -10,9 +10,9 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from kitrobot.fleet import envelopes as kinds
-from kitrobot.fleet.board_line import BoardLine
 from kitrobot.fleet.body_messages import Frame, FrameError, ReplicaSnapshot, Reply, decode_record, encode_record
 from kitrobot.fleet.bundles import bundle, unbundle
 from kitrobot.fleet.charter import LEAST_LEASE_MS, MOST_LEASE_MS, FleetError, charter_of
@@ -25,6 +25,9 @@ from kitrobot.sim.simulation import Simulation
 from kitrobot.team.codec import MessageError, decode
 from kitrobot.text.phrases import listed
 from kitrobot.text.sentences import Sentence
+
+if TYPE_CHECKING:
+    from kitrobot.fleet.board_line import BoardLine
 
 HELLO_EVERY_MS = 200
 ASK_EVERY_MS = 100
