@@ -166,8 +166,7 @@ TASKS: dict[str, tuple[Callable[[Doer], None], tuple[str, ...]]] = {
 
 @pytest.mark.parametrize(("task", "device"), [(task, device) for task, (_, by) in TASKS.items() for device in by])
 def test_a_task_takes_as_many_actions_as_the_table_says(open_studio: OpenStudio, task: str, device: str) -> None:
-    studio = open_studio(None, first_visit=True, **DEVICES[device])
-    studio.page.reload()
+    studio = open_studio(None, first_visit=True, pictures=True, **DEVICES[device])
     expect(studio.at("new-starter-draw-square/draw-square.krt")).to_be_checked()
     doer = Doer(studio, device)
     TASKS[task][0](doer)
@@ -176,8 +175,7 @@ def test_a_task_takes_as_many_actions_as_the_table_says(open_studio: OpenStudio,
 
 @pytest.mark.parametrize(("device", "least"), [("mouse", 300), ("touch", 200)])
 def test_a_square_from_nothing_is_large_at_the_end(open_studio: OpenStudio, device: str, least: int) -> None:
-    studio = open_studio(None, first_visit=True, **DEVICES[device])
-    studio.page.reload()
+    studio = open_studio(None, first_visit=True, pictures=True, **DEVICES[device])
     expect(studio.at("new-starter-draw-square/draw-square.krt")).to_be_checked()
     doer = Doer(studio, device)
     drive_a_square(doer)
