@@ -8,6 +8,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import expect
 
+from tests.effort import cases
 from tests.studio.conftest import WIDTH, Studio
 
 pytestmark = pytest.mark.browser
@@ -66,7 +67,7 @@ ORANGE, LID = (0xE0, 0x7A, 0x1F), (0xF7, 0xA1, 0x54)
 """Of the pen, and of the first robot."""
 
 
-@pytest.mark.parametrize(("width", "height", "least"), [(1440, 900, 300), (390, 844, 200)])
+@pytest.mark.parametrize(("width", "height", "least"), cases([(1440, 900, 300)], [(390, 844, 200)]))
 def test_what_the_first_program_draws_is_large_and_free_beside_the_card(
     open_studio: OpenStudio, width: int, height: int, least: int
 ) -> None:
