@@ -98,7 +98,7 @@ def test_mistakes_go_when_mended_and_a_part_is_dropped_set_deleted_undone_saved_
 
 
 @pytest.mark.thorough(
-    "test_tutorials.py: together begins with a Parallelism on the first place; test_first_hour.py: from nothing to a run"
+    "test_tutorials.py: together begins with a Parallelism on the first place; test_first_hour.py: nothing to a run"
 )
 def test_a_new_program_is_drawn_from_nothing_and_runs(open_studio: OpenStudio) -> None:
     studio = open_studio(None)

@@ -40,6 +40,7 @@ def test_axe_finds_nothing_on_menus_sheets_and_the_empty_program(
         expect(studio.at(shown)).to_be_visible()
         find_nothing(studio, shown, within=f"[data-testid='{shown}']")
         keys.press("Escape")
+    about_names_what_is_inside_and_leads_to_the_licences(studio)
     keys.press("F4")
     expect(studio.at("outline")).to_be_visible()
     find_nothing(studio, "outline", within="[data-testid='outline']")
@@ -53,6 +54,20 @@ def test_axe_finds_nothing_on_menus_sheets_and_the_empty_program(
     studio.new_mission()
     expect(studio.at("first-place")).to_be_visible()
     find_nothing(studio, "empty program", within="[data-testid='canvas']")
+
+
+def about_names_what_is_inside_and_leads_to_the_licences(studio: Studio) -> None:
+    studio.at("menu-Help").click()
+    studio.at("menu-help-about").click()
+    about = studio.at("about-dialog")
+    expect(about).to_contain_text("Apache")
+    find_nothing(studio, "about", within="[data-testid='about-dialog']")
+    with studio.page.expect_popup() as opened:
+        about.locator("a[href$='licenses.md']").click()
+    assert "@codemirror/view" in opened.value.content()
+    assert opened.value.url.endswith("/licenses.md")
+    opened.value.close()
+    studio.page.keyboard.press("Escape")
 
 
 WIDER = "() => document.documentElement.scrollWidth > document.documentElement.clientWidth"
