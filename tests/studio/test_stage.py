@@ -10,6 +10,7 @@ from playwright.sync_api import expect
 
 from tests.effort import cases
 from tests.studio.conftest import WIDTH, Studio
+from tests.studio.studio_page import place_of
 
 pytestmark = pytest.mark.browser
 
@@ -89,8 +90,7 @@ def test_what_the_first_program_draws_is_large_and_free_beside_the_card(
     assert drawing["inside"]
     assert robot["inside"]
     if width > 900:
-        box = studio.at("arena").bounding_box()
-        assert box is not None
+        box = place_of(studio.at("arena"))
         assert box["width"] == pytest.approx(0.4 * width, rel=0.02)
         # The text is one press away, and stays with the next run.
         studio.at("arena-text").click()
@@ -129,8 +129,7 @@ def test_on_a_phone_the_stage_is_all_there_is_and_a_room_ends_it(open_studio: Op
     expect(studio.page.locator(".zoom")).to_be_hidden()
     studio.at("arena-large").click()
     expect(studio.page.locator(".studio")).to_have_attribute("data-stage", "true")
-    box = studio.at("arena").bounding_box()
-    assert box is not None
+    box = place_of(studio.at("arena"))
     assert box["width"] == 390
     assert box["height"] > 400
     studio.at("room-code").click()

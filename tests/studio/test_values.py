@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import Locator, Route, expect
 
 from tests.studio.conftest import Studio
+from tests.studio.studio_page import place_of
 
 pytestmark = pytest.mark.browser
 
@@ -233,11 +234,9 @@ def an_empty_body_shows_where_to_drop_and_what_follows_a_new_loop_goes_inside(st
     place = studio.page.locator("[data-testid^='place-']")
     expect(place).to_have_count(1)
     # The whole frame takes what is dropped.
-    frame = studio.page.locator(".frame-loop").last.bounding_box()
+    frame = place_of(studio.page.locator(".frame-loop").last)
     studio.at("part-Wait").scroll_into_view_if_needed()
-    part = studio.at("part-Wait").bounding_box()
-    assert frame is not None
-    assert part is not None
+    part = place_of(studio.at("part-Wait"))
     mouse = studio.page.mouse
     mouse.move(part["x"] + 30, part["y"] + 10)
     mouse.down()
