@@ -88,23 +88,20 @@ def mistakes_appear_in_problems_and_go_when_mended(studio: Studio) -> None:
     expect(studio.at("problems")).to_contain_text("0")
 
 
-def test_mistakes_go_when_mended_and_a_part_is_dropped_set_deleted_undone_saved_and_run(
-    open_studio: OpenStudio,
-) -> None:
-    studio = open_studio(TRANSPORT)
-    mistakes_appear_in_problems_and_go_when_mended(studio)
-    studio.take_back()
-    a_part_dropped_on_an_arc_is_set_in_the_inspector_deleted_undone_and_saved(studio)
-
-
-@pytest.mark.thorough(
-    "test_tutorials.py: together begins with a Parallelism on the first place; test_first_hour.py: nothing to a run"
-)
-def test_a_new_program_is_drawn_from_nothing_and_runs(open_studio: OpenStudio) -> None:
-    studio = open_studio(None)
+def a_new_program_is_drawn_from_nothing(studio: Studio) -> None:
     studio.new_mission()
     expect(studio.at("first-place")).to_be_visible()
     studio.drop("Parallelism", "first-place")
     studio.expect_code("//(")
     code = studio.code()
     assert parse(code).ok
+
+
+def test_mistakes_are_mended_a_part_is_dropped_set_deleted_undone_saved_and_a_new_program_drawn(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio(TRANSPORT)
+    mistakes_appear_in_problems_and_go_when_mended(studio)
+    studio.take_back()
+    a_part_dropped_on_an_arc_is_set_in_the_inspector_deleted_undone_and_saved(studio)
+    a_new_program_is_drawn_from_nothing(studio)

@@ -58,6 +58,7 @@ def test_a_new_user_sees_no_details_until_the_switch_says_so(open_studio: OpenSt
     expect(strip).to_have_attribute("aria-valuetext", re.compile(r"^[\d:.]+$"))
 
 
+@pytest.mark.thorough("web/src/session/simple-view.test.ts: each need shows everything, and it is said once")
 def test_a_mission_with_a_need_shows_everything_and_says_why(open_studio: OpenStudio) -> None:
     studio = open_studio(CONVOY, first_visit=True)
     expect(studio.at("banner")).to_contain_text("so everything is shown")

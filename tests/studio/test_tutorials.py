@@ -181,6 +181,9 @@ def test_sensing_with_a_wrong_way_and_undo(open_studio: OpenStudio) -> None:
     done(studio, *range(1, 9))
 
 
+@pytest.mark.thorough(
+    "tests/tutorial/test_shipped.py: each step of together; by mouse: test_first_steps_draw_a_square…, test_main_job.py"
+)
 def test_together_with_two_branches_and_two_programs(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "together")
