@@ -86,12 +86,13 @@ def open_studio(tabs: Tabs, servers: ServerThread, tmp_path: Path, monkeypatch: 
     """A function that opens the studio on a copy of an example, or on an empty folder with None.
 
     Words that follow say what device the page is on, as Playwright's contexts do: `viewport`, `has_touch`, …; with
-    `first_visit` the browser has nothing of the studio yet.
+    `first_visit` the browser keeps nothing of the studio yet. An empty folder begins with the pictures of a new
+    mission; with `pictures` they stay.
     """
     monkeypatch.setenv("KITROBOT_STATE", str(tmp_path / "state"))
     opened: list[tuple[Studio, ServedStudio, Tab]] = []
 
-    def open_on(example: str | None, *, first_visit: bool = False, **device: Any) -> Studio:
+    def open_on(example: str | None, *, first_visit: bool = False, pictures: bool = False, **device: Any) -> Studio:
         target = tmp_path / "missions"
         if example is not None:
             # Without what a studio that somebody opened on the example has kept beside it.
@@ -100,7 +101,7 @@ def open_studio(tabs: Tabs, servers: ServerThread, tmp_path: Path, monkeypatch: 
             target.mkdir()
         running = servers.serve(target if example is None else target / Path(example).name)
         words = {"viewport": {"width": WIDTH, "height": HEIGHT}, "reduced_motion": "reduce", **device}
-        tab = tabs.make(words, first_visit=True) if first_visit else tabs.take(words)
+        tab = tabs.take(words, first_visit=first_visit)
         page = tab.page
         faults: list[str] = []
         tab.hear("pageerror", lambda error: faults.append(str(error)))
@@ -109,8 +110,7 @@ def open_studio(tabs: Tabs, servers: ServerThread, tmp_path: Path, monkeypatch: 
         opened.append((studio, running, tab))
         page.goto(running.address)
         page.wait_for_function(IS_OPEN)
-        if example is None:
-            # The pictures of a new mission, which an empty folder begins with.
+        if example is None and not pictures:
             page.get_by_test_id("new-name").press("Escape")
         return studio
 

@@ -79,8 +79,8 @@ class Studio:
         mouse = self.page.mouse
         mouse.move(begin["x"] + begin["width"] / 2, begin["y"] + begin["height"] / 2)
         mouse.down()
-        mouse.move(begin["x"] + begin["width"] / 2 + 12, begin["y"] + begin["height"] / 2 + 12, steps=3)
-        mouse.move(end["x"] + end["width"] / 2, end["y"] + end["height"] / 2, steps=12)
+        mouse.move(begin["x"] + begin["width"] / 2 + 12, begin["y"] + begin["height"] / 2 + 12, steps=2)
+        mouse.move(end["x"] + end["width"] / 2, end["y"] + end["height"] / 2, steps=5)
         mouse.up()
 
     def drop(self, part: str, target: str) -> None:

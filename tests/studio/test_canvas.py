@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import Locator, expect
 
 from tests.studio.conftest import Studio
+from tests.studio.studio_page import place_of
 
 pytestmark = pytest.mark.browser
 
@@ -187,8 +188,7 @@ def a_collapsed_body_says_how_much_it_holds_and_glows_for_it(studio: Studio) -> 
 
 
 def shift_drag_on_the_void_selects_what_the_box_touches(studio: Studio) -> None:
-    canvas = studio.at("canvas").bounding_box()
-    assert canvas is not None
+    canvas = place_of(studio.at("canvas"))
     studio.page.keyboard.down("Shift")
     studio.page.mouse.move(canvas["x"] + 6, canvas["y"] + 6)
     studio.page.mouse.down()
@@ -198,8 +198,7 @@ def shift_drag_on_the_void_selects_what_the_box_touches(studio: Studio) -> None:
     studio.page.keyboard.up("Shift")
     expect(studio.page.locator(".marquee")).to_have_count(0)
     expect(studio.page.locator(".vertex.is-selected, .bars.is-selected").first).to_be_visible()
-    start = studio.at("vertex-start").bounding_box()
-    assert start is not None
+    start = place_of(studio.at("vertex-start"))
     assert abs(start["y"] - canvas["y"] - 18) < 8, "the canvas did not move along"
 
 
@@ -216,8 +215,7 @@ def test_menus_boxes_and_wrapping_work_on_what_is_selected(open_studio: OpenStud
 
 def beside_the_graph(studio: Studio) -> tuple[float, float]:
     """A point near the lower left corner of the canvas."""
-    canvas = studio.at("canvas").bounding_box()
-    assert canvas is not None
+    canvas = place_of(studio.at("canvas"))
     return canvas["x"] + 20, canvas["y"] + canvas["height"] - 20
 
 

@@ -16,6 +16,7 @@ from playwright.sync_api import Browser, Page, expect
 from tests.patience import PATIENCE_S, STATE_MS
 from tests.studio.conftest import HEIGHT, WIDTH
 from tests.studio.looks import find_nothing
+from tests.studio.studio_page import place_of
 from tests.studio.tabs import KEEP_TEXT
 
 pytestmark = pytest.mark.browser
@@ -114,8 +115,7 @@ def a_class_without_pupils_fits_a_narrow_page(teacher: Page, code: str) -> None:
     expect(teacher.get_by_test_id("class-code")).to_have_text(f"{code[:3]} {code[3:]}")
     teacher.set_viewport_size({"width": 390, "height": HEIGHT})
     assert teacher.evaluate("document.querySelector('.class-main').scrollWidth") <= 390
-    box = teacher.get_by_test_id("class-join").bounding_box()
-    assert box is not None
+    box = place_of(teacher.get_by_test_id("class-join"))
     assert box["x"] >= 0
     assert box["x"] + box["width"] <= 390
     teacher.set_viewport_size({"width": WIDTH, "height": HEIGHT})

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import Position, expect
+from playwright.sync_api import BrowserContext, Position, expect
 
 from tests.effort import THOROUGH, cases
 from tests.studio.clipping import amiss
@@ -126,8 +126,8 @@ def test_no_text_of_any_screen_is_cut_off_covered_or_over_another(
     assert "\n".join(found) == ""
 
 
-def test_what_is_cut_off_or_lies_over_another_is_found(open_studio: OpenStudio) -> None:
-    page = open_studio(TRANSPORT).page
+def test_what_is_cut_off_or_lies_over_another_is_found(context: BrowserContext) -> None:
+    page = context.new_page()
     page.set_content(
         """<style>p { position: absolute; margin: 0; font: 16px sans-serif; white-space: nowrap }</style>
         <p style="left: 10px; top: 10px">one</p> <p style="left: 20px; top: 14px">other</p>

@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.studio.conftest import Studio
+from tests.studio.studio_page import place_of
 
 pytestmark = pytest.mark.browser
 
@@ -28,15 +29,6 @@ def started(open_studio: OpenStudio, example: str = "blink/blink.krt") -> Studio
     return studio
 
 
-def later(open_studio: OpenStudio) -> Studio:
-    """The same, at the third visit."""
-    studio = started(open_studio)
-    for visit in (2, 3):
-        studio.page.keyboard.press("F5")
-        expect(studio.at("status")).to_contain_text(f"visit {visit}")
-    return studio
-
-
 def tick(studio: Studio) -> int:
     return int(studio.at("event-strip").get_attribute("aria-valuenow") or "-1")
 
@@ -45,12 +37,15 @@ def expect_tick(studio: Studio, wanted: int) -> None:
     expect(studio.at("event-strip")).to_have_attribute("aria-valuenow", str(wanted))
 
 
-def test_it_pauses_at_a_breakpoint_again_and_again_and_goes_on_without(open_studio: OpenStudio) -> None:
-    studio = started(open_studio)
+def it_pauses_at_a_breakpoint_again_and_again(studio: Studio) -> None:
     expect(studio.at("status")).to_contain_text("visit 1")
     expect(studio.page.locator('.breakpoint[data-reached="true"]')).to_have_count(1)
-    studio.page.keyboard.press("F5")
-    expect(studio.at("status")).to_contain_text("visit 2")
+    for visit in (2, 3):
+        studio.page.keyboard.press("F5")
+        expect(studio.at("status")).to_contain_text(f"visit {visit}")
+
+
+def it_goes_on_without_a_breakpoint(studio: Studio) -> None:
     studio.page.locator(".vertex", has_text="Lamp On").click()
     studio.page.keyboard.press("b")
     expect(studio.page.locator(".breakpoint")).to_have_count(0)
@@ -108,9 +103,7 @@ def the_handle_of_the_timeline_goes_anywhere_and_on(studio: Studio) -> None:
     expect_tick(studio, 51)
     studio.page.keyboard.press("End")
     expect_tick(studio, latest)
-    handle, box = studio.at("strip-handle").bounding_box(), strip.bounding_box()
-    assert handle is not None
-    assert box is not None
+    handle, box = place_of(studio.at("strip-handle")), place_of(strip)
     mouse = studio.page.mouse
     mouse.move(handle["x"] + handle["width"] / 2, handle["y"] + handle["height"] / 2)
     mouse.down()
@@ -122,13 +115,17 @@ def the_handle_of_the_timeline_goes_anywhere_and_on(studio: Studio) -> None:
     expect(studio.at("status")).to_have_attribute("data-status", PAUSED)
 
 
-def test_a_run_is_stepped_back_and_on_and_its_timeline_has_a_handle_that_goes_anywhere(open_studio: OpenStudio) -> None:
-    studio = later(open_studio)
+def test_a_run_pauses_at_a_breakpoint_is_stepped_back_and_on_and_led_anywhere_on_its_timeline(
+    open_studio: OpenStudio,
+) -> None:
+    studio = started(open_studio)
+    it_pauses_at_a_breakpoint_again_and_again(studio)
     the_handle_of_the_timeline_goes_anywhere_and_on(studio)
     studio.at("event-strip").focus()
     studio.page.keyboard.press("End")
     expect_tick(studio, int(studio.at("event-strip").get_attribute("aria-valuemax") or "-1"))
     steps_back_and_on_lead_to_the_same_place(studio)
+    it_goes_on_without_a_breakpoint(studio)
 
 
 def variables_are_set_and_sensors_forced_from_the_watch(studio: Studio) -> None:

@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import Locator, expect
 
 from tests.studio.conftest import Studio
+from tests.studio.studio_page import place_of
 
 pytestmark = pytest.mark.browser
 
@@ -54,10 +55,8 @@ def grip(at: Locator) -> Locator:
 def arcs_light_up_and_a_drop_on_one_splices_the_part_in(studio: Studio) -> None:
     mouse = studio.page.mouse
     studio.at("part-Wait").scroll_into_view_if_needed()
-    part = studio.at("part-Wait").bounding_box()
-    arc = studio.at("arc-start.next").bounding_box()
-    assert part is not None
-    assert arc is not None
+    part = place_of(studio.at("part-Wait"))
+    arc = place_of(studio.at("arc-start.next"))
     mouse.move(part["x"] + 30, part["y"] + 10)
     mouse.down()
     mouse.move(part["x"] + 60, part["y"] + 30, steps=4)
@@ -71,10 +70,8 @@ def arcs_light_up_and_a_drop_on_one_splices_the_part_in(studio: Studio) -> None:
 def escape_ends_a_drag_without_a_change(studio: Studio) -> None:
     mouse = studio.page.mouse
     studio.at("part-Wait").scroll_into_view_if_needed()
-    part = studio.at("part-Wait").bounding_box()
-    arc = studio.at("arc-start.next").bounding_box()
-    assert part is not None
-    assert arc is not None
+    part = place_of(studio.at("part-Wait"))
+    arc = place_of(studio.at("arc-start.next"))
     mouse.move(part["x"] + 30, part["y"] + 10)
     mouse.down()
     mouse.move(arc["x"] + 9, arc["y"] + 9, steps=8)
@@ -88,9 +85,7 @@ def escape_ends_a_drag_without_a_change(studio: Studio) -> None:
 def a_drop_on_the_void_parks_a_part_and_a_drag_brings_it_in(studio: Studio) -> None:
     before = studio.code()
     studio.at("part-Wait").scroll_into_view_if_needed()
-    canvas, part = studio.at("canvas").bounding_box(), studio.at("part-Wait").bounding_box()
-    assert canvas is not None
-    assert part is not None
+    canvas, part = place_of(studio.at("canvas")), place_of(studio.at("part-Wait"))
     mouse = studio.page.mouse
     mouse.move(part["x"] + 30, part["y"] + 10)
     mouse.down()
@@ -157,9 +152,7 @@ def a_vertex_cannot_go_into_its_own_body(studio: Studio) -> None:
     name = name_of(choice)
     inside = studio.at(f"arc-{name}.then")
     expect(inside).to_be_attached()
-    begin, end = grip(choice).bounding_box(), inside.bounding_box()
-    assert begin is not None
-    assert end is not None
+    begin, end = place_of(grip(choice)), place_of(inside)
     mouse = studio.page.mouse
     mouse.move(begin["x"] + 8, begin["y"] + 8)
     mouse.down()

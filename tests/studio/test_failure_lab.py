@@ -7,10 +7,31 @@ import re
 import pytest
 from playwright.sync_api import expect
 
+from tests.studio.studio_page import place_of
+
 pytestmark = pytest.mark.browser
 
 TRANSPORT = "transport/transport.krt"
 ROBOT = "carrier-1"
+
+
+STANDS_STILL = """async (canvas) => {
+    const frames = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    const { width, height } = canvas, pen = canvas.getContext("2d");
+    const look = () => new Uint32Array(pen.getImageData(0, 0, width, height).data.buffer);
+    const isSame = (one, other) => one.every((colour, at) => colour === other[at]);
+    // It draws on its way to the last frame for a moment; then nothing moves any more.
+    let [picture, still] = [look(), 0];
+    for (let tries = 0; tries < 100 && still < 6; tries++) {
+        await frames();
+        const next = look();
+        if (isSame(picture, next)) still++;
+        else if (still > 0) return false;
+        picture = next;
+    }
+    return still === 6;
+}"""
+"""Whether the arena comes to rest and stays so."""
 
 
 def start_paused(studio):
@@ -31,19 +52,17 @@ def choose(studio, name: str) -> None:
     raise AssertionError(f"{name} is not reached")
 
 
-def place_of(studio, name: str) -> tuple[float, float]:
+def middle_of(studio, name: str) -> tuple[float, float]:
     """Where the robot is on the screen: in the middle of the arena, once it is followed."""
     choose(studio, name)
     studio.page.keyboard.press("Shift+F")
     # The arena follows with the next frame.
     studio.page.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
-    box = studio.at("arena-canvas").bounding_box()
-    assert box is not None
+    box = place_of(studio.at("arena-canvas"))
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
 
-def the_mouse_lets_a_robot_fail_and_come_back(studio):
-    x, y = place_of(studio, ROBOT)
+def the_mouse_lets_a_robot_fail_and_come_back(studio, x, y):
     studio.page.mouse.click(x, y, button="right")
     studio.at("menu-harm-fail").click()
     expect(studio.at("arena-summary")).to_contain_text(re.compile(rf"{ROBOT}[^.]*failed"))
@@ -66,10 +85,7 @@ def keys_do_it_too(studio, robot, item, word):
     expect(studio.at("arena-canvas")).to_be_focused()
 
 
-def test_a_finger_that_rests_opens_the_menu(open_studio):
-    studio = open_studio(TRANSPORT, has_touch=True)
-    start_paused(studio)
-    x, y = place_of(studio, ROBOT)
+def a_finger_that_rests_opens_the_menu(studio, x, y):
     touch = {"pointerType": "touch", "pointerId": 5, "button": 0, "clientX": x, "clientY": y, "isPrimary": True}
     # A pointer that is made up cannot be captured.
     studio.page.evaluate("HTMLElement.prototype.setPointerCapture = () => undefined")
@@ -77,6 +93,8 @@ def test_a_finger_that_rests_opens_the_menu(open_studio):
     expect(studio.at("robot-menu")).to_be_visible()
     studio.at("arena-canvas").dispatch_event("pointerup", touch)
     expect(studio.at("robot-menu")).to_be_visible()
+    studio.page.keyboard.press("Escape")
+    expect(studio.at("robot-menu")).to_have_count(0)
 
 
 def without_a_run_the_menu_says_what_is_missing(studio):
@@ -86,22 +104,25 @@ def without_a_run_the_menu_says_what_is_missing(studio):
     expect(studio.at("menu-harm-fail")).to_have_attribute("aria-disabled", "true")
 
 
-def test_mouse_and_keys_let_robots_fail_stall_lose_their_radio_and_come_back_once_there_is_a_run(open_studio):
+def test_mouse_keys_and_fingers_let_robots_fail_stall_lose_their_radio_and_come_back_once_there_is_a_run(open_studio):
     studio = open_studio(TRANSPORT)
     without_a_run_the_menu_says_what_is_missing(studio)
     studio.page.keyboard.press("Escape")
     start_paused(studio)
-    the_mouse_lets_a_robot_fail_and_come_back(studio)
+    place = middle_of(studio, ROBOT)
+    a_finger_that_rests_opens_the_menu(studio, *place)
+    the_mouse_lets_a_robot_fail_and_come_back(studio, *place)
     for number, (item, word) in enumerate((("fail", "failed"), ("stall", "stalled"), ("mute", "without radio")), 1):
         keys_do_it_too(studio, f"carrier-{number}", item, word)
 
 
-def test_who_is_followed_stays_in_the_middle_until_the_world_is_dragged(open_studio):
-    studio = open_studio(TRANSPORT)
+def who_is_followed_stays_in_the_middle_until_the_world_is_dragged(studio):
+    # So slowly that it is where the last frame showed it.
+    studio.at("speed").press("Home")
     studio.at("run-button").click()
     # Before the run a robot that is dragged is taken to another place.
     expect(studio.at("status")).to_have_attribute("data-status", "running")
-    x, y = place_of(studio, ROBOT)
+    x, y = middle_of(studio, ROBOT)
     for _ in range(3):
         studio.page.mouse.click(x, y, button="right")
         expect(studio.at("robot-menu").get_by_role("menu", name=re.compile(ROBOT))).to_be_visible()
@@ -128,8 +149,7 @@ def test_a_run_that_failed_goes_on_when_somebody_comes_back(open_studio):
     expect(studio.at("status")).to_have_attribute("data-status", "paused")
 
 
-def test_a_schedule_is_edited_undone_shown_and_kept(open_studio):
-    studio = open_studio(TRANSPORT)
+def a_schedule_is_edited_undone_shown_and_kept(studio):
     studio.at("tab-of-team").click()
     studio.at("add-failure").click()
     expect(studio.at("failure-agent-0")).to_be_focused()
@@ -151,32 +171,16 @@ def test_a_schedule_is_edited_undone_shown_and_kept(open_studio):
     expect(studio.at("failure-0")).to_have_count(0)
 
 
-def test_stop_leaves_every_robot_standing_still(open_studio):
-    studio = open_studio(TRANSPORT)
-    for button in ("stop-button", "team-stop"):
-        stop_leaves_every_robot_standing_still(studio, button)
-
-
 def stop_leaves_every_robot_standing_still(studio, button):
     studio.at("run-button").click()
     expect(studio.at("status")).to_have_attribute("data-status", "running")
     studio.at(button).click()
     expect(studio.at("status")).to_have_attribute("data-status", "stopped")
-    # The arena draws on its way to the last frame for a moment; then nothing moves any more.
-    frames = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
-    pictures = [b""]
-    while len(pictures) < 50 and (pictures[-1] == b"" or pictures[-1] != pictures[-2]):
-        studio.page.evaluate(frames)
-        pictures.append(studio.at("arena-canvas").screenshot())
-    for _ in range(5):
-        studio.page.evaluate(frames)
-        assert studio.at("arena-canvas").screenshot() == pictures[-1]
+    assert studio.at("arena-canvas").evaluate(STANDS_STILL)
 
 
-def test_robots_fail_by_chance_as_often_as_is_wanted(open_studio):
-    studio = open_studio(TRANSPORT)
+def robots_fail_by_chance_as_often_as_is_wanted(studio):
     expect(studio.at("chance-on")).to_have_count(0)
-    studio.at("tab-of-team").click()
     field = studio.at("fail-rate")
     for wrong in ("101", "-1", "often"):
         field.fill(wrong)
@@ -192,8 +196,7 @@ def test_robots_fail_by_chance_as_often_as_is_wanted(open_studio):
     assert "fail-rate" not in (studio.folder / "transport.krt").read_text()
 
 
-def test_the_list_of_what_happened_says_who_brought_it_about_and_leads_there(open_studio):
-    studio = open_studio(TRANSPORT)
+def the_list_of_what_happened_says_who_brought_it_about_and_leads_there(studio):
     start_paused(studio)
     choose(studio, ROBOT)
     studio.page.keyboard.press("Enter")
@@ -216,3 +219,20 @@ def test_the_list_of_what_happened_says_who_brought_it_about_and_leads_there(ope
     expect(studio.at("event-strip")).to_have_attribute("aria-valuenow", at)
     expect(studio.at("status")).to_have_attribute("data-status", "paused")
     expect(studio.at("event-list").locator("tbody tr").first).to_have_attribute("data-cause", "person")
+
+
+def test_a_schedule_and_chance_let_robots_fail(open_studio):
+    studio = open_studio(TRANSPORT)
+    a_schedule_is_edited_undone_shown_and_kept(studio)
+    studio.at("stop-button").click()
+    robots_fail_by_chance_as_often_as_is_wanted(studio)
+
+
+def test_stop_leaves_robots_still_one_is_followed_and_the_list_says_who_did_what(open_studio):
+    studio = open_studio(TRANSPORT)
+    for button in ("stop-button", "team-stop"):
+        stop_leaves_every_robot_standing_still(studio, button)
+    who_is_followed_stays_in_the_middle_until_the_world_is_dragged(studio)
+    studio.page.keyboard.press("Escape")
+    studio.at("stop-button").click()
+    the_list_of_what_happened_says_who_brought_it_about_and_leads_there(studio)

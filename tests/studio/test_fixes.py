@@ -66,16 +66,7 @@ def a_slip_in_the_text_by_key(studio: Studio) -> None:
     expect(studio.page.locator(".vertex", has_text="Lamp On")).to_have_count(2)
 
 
-def test_a_slip_in_the_text_and_a_name_in_the_graph_are_mended_by_key_and_by_click(open_studio: OpenStudio) -> None:
-    studio = open_studio("blink/blink.krt")
-    a_slip_in_the_text_by_key(studio)
-    studio.at("canvas").focus()
-    studio.take_back()
-    a_name_in_the_graph_by_click_and_back(studio)
-
-
-def test_a_program_that_ends_at_once_says_so_whole_and_is_mended(open_studio: OpenStudio) -> None:
-    studio = open_studio("blink/blink.krt")
+def a_program_that_ends_at_once_says_so_whole_and_is_mended(studio: Studio) -> None:
     (studio.folder / "blink.krt").write_text(AT_ONCE)
     studio.page.reload()
     for width in cases([768], [1440, 1024]):
@@ -95,3 +86,14 @@ def test_a_program_that_ends_at_once_says_so_whole_and_is_mended(open_studio: Op
         studio.at("fix-1").click()
         expect(studio.page.locator(".vertex", has_text="Wait")).to_have_count(1)
         expect(studio.at("fix-1")).to_have_count(0)
+
+
+def test_a_slip_a_wrong_name_and_a_program_that_ends_at_once_are_said_and_mended_by_key_and_by_click(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio("blink/blink.krt")
+    a_slip_in_the_text_by_key(studio)
+    studio.at("canvas").focus()
+    studio.take_back()
+    a_name_in_the_graph_by_click_and_back(studio)
+    a_program_that_ends_at_once_says_so_whole_and_is_mended(studio)

@@ -7,13 +7,14 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Locator, expect
 
-from tests.studio.conftest import EXAMPLES, LOOKS, Studio
+from tests.studio.conftest import EXAMPLES, HEIGHT, LOOKS, WIDTH, Studio
 from tests.studio.looks import choose, find_nothing
 
 pytestmark = pytest.mark.browser
 
 OpenStudio = Callable[..., Studio]
 
+SHEET = "[data-testid='open-dialog']"
 MOVING = 'canvas.picture-run[data-moves="true"]'
 DRAWS_ON = """async (canvas) => {
     const frame = () => new Promise(requestAnimationFrame);
@@ -69,12 +70,21 @@ def test_a_new_program_offers_examples_with_pictures_and_one_that_gets_the_focus
     an_example_that_gets_the_focus_comes_into_sight_and_stays_there(studio)
 
 
+def it_fits_a_phone(studio: Studio, dialog: Locator) -> None:
+    studio.page.set_viewport_size({"width": 390, "height": 844})
+    expect(dialog.locator(".card").first).to_be_visible()
+    assert dialog.evaluate("(sheet) => sheet.scrollWidth <= sheet.clientWidth")
+    studio.page.set_viewport_size({"width": WIDTH, "height": HEIGHT})
+
+
 def test_search_filters_and_arrows_lead_to_an_example_that_runs_to_its_end(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt")
     dialog = open_gallery(studio)
     cards = dialog.locator(".card")
     every = len([path for path in EXAMPLES.glob("*/*.krt") if path.parent.name != "exercises"])
     expect(cards).to_have_count(every)
+    find_nothing(studio, "the gallery", within=SHEET)
+    it_fits_a_phone(studio, dialog)
     jumps = dialog.locator(".open-jumps button")
     expect(jumps).to_have_text(["In missions", "Examples"])
     jumps.last.click()
@@ -88,6 +98,7 @@ def test_search_filters_and_arrows_lead_to_an_example_that_runs_to_its_end(open_
     studio.at("gallery-robot").select_option("microbit")
     expect(studio.at("gallery-count")).to_have_text("No example is like that.")
     expect(cards).to_have_count(0)
+    find_nothing(studio, "no example", within=SHEET)
     studio.at("gallery-show-all").click()
     expect(cards).to_have_count(every)
     find = studio.at("gallery-find")
@@ -146,16 +157,15 @@ def test_pictures_move_while_they_are_seen_until_somebody_wants_them_still(open_
     assert picture.evaluate(IS_DRAWN)
 
 
+@pytest.mark.thorough("test_search_filters_and_arrows_lead_to_an_example_that_runs_to_its_end, in the light theme")
 @pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_the_gallery_has_no_barrier_and_fits_a_phone(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio("blink/blink.krt")
     choose(studio, *look)
     dialog = open_gallery(studio)
-    find_nothing(studio, "the gallery", within="[data-testid='open-dialog']")
+    find_nothing(studio, "the gallery", within=SHEET)
     studio.at("gallery-find").fill("zzz")
     expect(dialog.locator(".card")).to_have_count(0)
-    find_nothing(studio, "no example", within="[data-testid='open-dialog']")
+    find_nothing(studio, "no example", within=SHEET)
     studio.at("gallery-find").fill("")
-    studio.page.set_viewport_size({"width": 390, "height": 844})
-    expect(dialog.locator(".card").first).to_be_visible()
-    assert dialog.evaluate("(sheet) => sheet.scrollWidth <= sheet.clientWidth")
+    it_fits_a_phone(studio, dialog)

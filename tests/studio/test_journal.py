@@ -174,7 +174,7 @@ def test_a_file_changed_on_disk_is_offered_when_nothing_is_unsaved(studio: Studi
     expect(banner).to_have_count(0)
 
 
-def test_a_save_over_a_changed_file_asks_and_shows_the_difference(studio: Studio) -> None:
+def a_save_over_a_changed_file_asks_and_shows_the_difference(studio: Studio) -> None:
     page, mission = studio.page, studio.folder / "blink.krt"
     wait_for(page, 5)
     mission.write_text(MISSION.format(44))
@@ -192,9 +192,9 @@ def test_a_save_over_a_changed_file_asks_and_shows_the_difference(studio: Studio
     forgive_refusals(studio)
 
 
-def test_the_file_is_merged_into_what_was_changed_here_and_undo_takes_it_back(studio: Studio) -> None:
+def the_file_is_merged_into_what_was_changed_here_and_undo_takes_it_back(studio: Studio) -> None:
     page, mission = studio.page, studio.folder / "blink.krt"
-    wait_for(page, 5)
+    wait_for(page, 6)
     mission.write_text(MISSION.format(44))
     page.keyboard.press("Control+s")
     banner = page.get_by_test_id("banner")
@@ -207,7 +207,7 @@ def test_the_file_is_merged_into_what_was_changed_here_and_undo_takes_it_back(st
     expect_wait(page, 44)
     expect(banner).to_contain_text("are merged")
     page.keyboard.press("Control+z")
-    expect_wait(page, 5)
+    expect_wait(page, 6)
     # What was taken back is asked about again, what is merged is saved without a question.
     page.keyboard.press("Control+s")
     expect(banner).to_contain_text("changed on disk")
@@ -216,6 +216,11 @@ def test_the_file_is_merged_into_what_was_changed_here_and_undo_takes_it_back(st
     expect(page.get_by_test_id("saved-state")).to_have_text("saved")
     assert mission.read_text() == MISSION.format(44)
     forgive_refusals(studio)
+
+
+def test_a_file_that_changed_is_saved_over_after_a_question_or_merged_and_undo_takes_that_back(studio: Studio) -> None:
+    a_save_over_a_changed_file_asks_and_shows_the_difference(studio)
+    the_file_is_merged_into_what_was_changed_here_and_undo_takes_it_back(studio)
 
 
 def test_two_windows_know_of_each_other_and_overwrite_nothing_silently(studio: Studio) -> None:

@@ -120,7 +120,7 @@ def test_without_its_server_a_page_claims_nothing_of_its_file(
     expect(first.get_by_test_id("saved-state")).to_have_text("no connection to the studio")
 
 
-def test_a_window_on_an_older_file_does_not_say_that_it_is_saved(studio: Studio) -> None:
+def a_window_on_an_older_file_does_not_say_that_it_is_saved(studio: Studio) -> None:
     first, second = studio.page, another_tab(studio)
     expect(second.get_by_test_id("saved-state")).to_have_text("saved")
     wait_for(first, 5)
@@ -131,7 +131,7 @@ def test_a_window_on_an_older_file_does_not_say_that_it_is_saved(studio: Studio)
     expect(second.get_by_test_id("saved-state")).to_have_text("changed on disk")
 
 
-def test_what_is_changed_while_it_is_saved_stays_unsaved_and_saves_next(studio: Studio) -> None:
+def what_is_changed_while_it_is_saved_stays_unsaved_and_saves_next(studio: Studio) -> None:
     page, mission = studio.page, studio.folder / "blink.krt"
     held = []
     # Before the edit: a request that is made while the browser begins to hold requests is told to nobody.
@@ -146,3 +146,8 @@ def test_what_is_changed_while_it_is_saved_stays_unsaved_and_saves_next(studio: 
     expect(page.get_by_test_id("saved-state")).to_have_text("saved")
     expect(page.get_by_test_id("banner")).to_have_count(0)
     assert mission.read_text() == MISSION.format(6)
+
+
+def test_what_is_changed_while_it_is_saved_stays_unsaved_and_a_window_on_an_older_file_says_so(studio: Studio) -> None:
+    what_is_changed_while_it_is_saved_stays_unsaved_and_saves_next(studio)
+    a_window_on_an_older_file_does_not_say_that_it_is_saved(studio)

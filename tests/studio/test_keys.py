@@ -117,6 +117,9 @@ def test_every_menu_entry_and_room_is_reached_by_keys_which_are_listed_and_nothi
     open_studio: OpenStudio,
 ) -> None:
     studio = open_studio(TRANSPORT)
+    programs_are_walked_moved_renamed_and_removed(studio)
+    studio.page.keyboard.press("Escape")
+    studio.take_back()
     every_entry_of_every_menu_is_reached_and_its_key_is_in_the_list(studio)
     every_entry_of_the_context_menus_is_reached(studio)
     studio.page.keyboard.press("Escape")
@@ -128,8 +131,7 @@ def test_every_menu_entry_and_room_is_reached_by_keys_which_are_listed_and_nothi
     nothing_on_the_page_is_for_the_mouse_alone(studio)
 
 
-def test_programs_are_walked_moved_renamed_and_removed(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def programs_are_walked_moved_renamed_and_removed(studio: Studio) -> None:
     keys = studio.page.keyboard
     tabs = studio.page.locator("[role=tab][id^=tab-][data-program]:not([data-testid=tab-team])")
     names = tabs.locator(".tab-name").all_inner_texts()

@@ -52,8 +52,7 @@ def test_a_run_glows_is_stopped_paused_stepped_and_moves_all_stock_from_a_to_b(o
     expect(studio.at("arena-summary")).not_to_contain_text("collision")
 
 
-def test_a_part_dropped_on_an_arc_is_set_in_the_inspector_deleted_undone_and_saved(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def a_part_dropped_on_an_arc_is_set_in_the_inspector_deleted_undone_and_saved(studio: Studio) -> None:
     studio.drop("Wait", "arc-start.next")
     studio.expect_code("WAIT(10);")
     number = studio.at("inspector").locator('input:not([type="range"])').first
@@ -75,8 +74,7 @@ def test_a_part_dropped_on_an_arc_is_set_in_the_inspector_deleted_undone_and_sav
     studio.wait_until_done()
 
 
-def test_mistakes_appear_in_problems_and_go_when_mended(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def mistakes_appear_in_problems_and_go_when_mended(studio: Studio) -> None:
     expect(studio.at("problems")).to_contain_text("0")
     studio.drop("While", "arc-start.next")
     expect(studio.at("problems")).to_contain_text("1")
@@ -90,11 +88,20 @@ def test_mistakes_appear_in_problems_and_go_when_mended(open_studio: OpenStudio)
     expect(studio.at("problems")).to_contain_text("0")
 
 
-def test_a_new_program_is_drawn_from_nothing_and_runs(open_studio: OpenStudio) -> None:
-    studio = open_studio(None)
+def a_new_program_is_drawn_from_nothing(studio: Studio) -> None:
     studio.new_mission()
     expect(studio.at("first-place")).to_be_visible()
     studio.drop("Parallelism", "first-place")
     studio.expect_code("//(")
     code = studio.code()
     assert parse(code).ok
+
+
+def test_mistakes_are_mended_a_part_is_dropped_set_deleted_undone_saved_and_a_new_program_drawn(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio(TRANSPORT)
+    mistakes_appear_in_problems_and_go_when_mended(studio)
+    studio.take_back()
+    a_part_dropped_on_an_arc_is_set_in_the_inspector_deleted_undone_and_saved(studio)
+    a_new_program_is_drawn_from_nothing(studio)

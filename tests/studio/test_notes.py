@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import Locator, expect
 
 from tests.studio.conftest import Studio
+from tests.studio.studio_page import place_of
 
 pytestmark = pytest.mark.browser
 
@@ -43,9 +44,7 @@ def n_writes_a_note_that_stands_on_the_vertex_and_in_the_text(studio: Studio) ->
     expect(strip).to_contain_text("+1 line")
     studio.expect_code("# Stand still")
     studio.expect_code("# until the road is free")
-    above, below = strip.bounding_box(), stop.bounding_box()
-    assert above is not None
-    assert below is not None
+    above, below = place_of(strip), place_of(stop)
     assert abs(above["y"] + above["height"] - below["y"]) < 2, "it stands on its vertex"
     keys.press("Control+z")
     expect(strip).to_have_count(0)

@@ -12,6 +12,7 @@ from tests.effort import cases
 from tests.studio.conftest import LOOKS, Studio
 from tests.studio.looks import choose as axe_look
 from tests.studio.looks import find_nothing
+from tests.studio.studio_page import place_of
 
 pytestmark = pytest.mark.browser
 
@@ -202,9 +203,7 @@ def test_in_urdu_the_sheet_is_mirrored(open_studio: OpenStudio) -> None:
     select(studio, "v11")
     studio.page.keyboard.press("p")
     expect(studio.at("own-lll")).to_be_visible()
-    name, lll = studio.at("own-name").bounding_box(), studio.at("own-lll").bounding_box()
-    assert name is not None
-    assert lll is not None
+    name, lll = place_of(studio.at("own-name")), place_of(studio.at("own-lll"))
     assert name["x"] > lll["x"] + lll["width"]
     expect(studio.at("own-name")).to_have_value(re.compile("میرا پرزہ"))
 
@@ -262,8 +261,7 @@ def test_a_finger_that_rests_on_a_part_opens_its_menu(open_studio: OpenStudio) -
     select(studio, "v11")
     studio.page.keyboard.press("p")
     save_part(studio, "Mine")
-    at = row(studio, "Mine").bounding_box()
-    assert at is not None
+    at = place_of(row(studio, "Mine"))
     down = {
         "pointerType": "touch",
         "isPrimary": True,

@@ -17,6 +17,7 @@ from PIL import Image
 from playwright.sync_api import Browser, Page, expect
 
 from tests.studio.conftest import Studio
+from tests.studio.studio_page import place_of
 from tests.studio.test_class import SQUARE, Class, add_part, expect_kept
 
 TAKEN = os.environ.get("KITROBOT_PICTURES", "") != ""
@@ -85,9 +86,7 @@ def test_the_studio_in_the_middle_of_the_transport(open_studio: OpenStudio, pict
     run_to_the_end(studio)
     # Back to the middle: who pauses a run on the way may come too late.
     strip = studio.at("event-strip")
-    handle, box = studio.at("strip-handle").bounding_box(), strip.bounding_box()
-    assert handle is not None
-    assert box is not None
+    handle, box = place_of(studio.at("strip-handle")), place_of(strip)
     studio.page.mouse.move(handle["x"] + handle["width"] / 2, handle["y"] + handle["height"] / 2)
     studio.page.mouse.down()
     studio.page.mouse.move((box["x"] + handle["x"]) / 2, handle["y"] + 6, steps=8)

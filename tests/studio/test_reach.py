@@ -9,6 +9,7 @@ from playwright.sync_api import Response, expect
 
 from tests.studio.conftest import LOOKS, Studio
 from tests.studio.looks import AXE, CUT_OFF, choose, find_nothing
+from tests.studio.studio_page import place_of
 
 pytestmark = pytest.mark.browser
 
@@ -20,17 +21,6 @@ TRANSPORT = "transport/transport.krt"
 def needs_axe() -> None:
     if not AXE.is_file():
         pytest.fail("the page's tools are not installed; run `make install`")
-
-
-@pytest.mark.parametrize("look", LOOKS, ids=str)
-def test_axe_finds_nothing_before_and_during_a_run(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
-    studio = open_studio(TRANSPORT)
-    choose(studio, *look)
-    find_nothing(studio, "the transport mission")
-    studio.at("run-button").click()
-    expect(studio.page.locator(".vertex.is-active").first).to_be_visible()
-    studio.at("pause-button").click()
-    find_nothing(studio, "paused")
 
 
 @pytest.mark.parametrize("look", LOOKS, ids=str)
@@ -50,6 +40,7 @@ def test_axe_finds_nothing_on_menus_sheets_and_the_empty_program(
         expect(studio.at(shown)).to_be_visible()
         find_nothing(studio, shown, within=f"[data-testid='{shown}']")
         keys.press("Escape")
+    about_names_what_is_inside_and_leads_to_the_licences(studio)
     keys.press("F4")
     expect(studio.at("outline")).to_be_visible()
     find_nothing(studio, "outline", within="[data-testid='outline']")
@@ -65,13 +56,25 @@ def test_axe_finds_nothing_on_menus_sheets_and_the_empty_program(
     find_nothing(studio, "empty program", within="[data-testid='canvas']")
 
 
+def about_names_what_is_inside_and_leads_to_the_licences(studio: Studio) -> None:
+    studio.at("menu-Help").click()
+    studio.at("menu-help-about").click()
+    about = studio.at("about-dialog")
+    expect(about).to_contain_text("Apache")
+    find_nothing(studio, "about", within="[data-testid='about-dialog']")
+    with studio.page.expect_popup() as opened:
+        about.locator("a[href$='licenses.md']").click()
+    assert "@codemirror/view" in opened.value.content()
+    assert opened.value.url.endswith("/licenses.md")
+    opened.value.close()
+    studio.page.keyboard.press("Escape")
+
+
 WIDER = "() => document.documentElement.scrollWidth > document.documentElement.clientWidth"
 
 
 def left(studio: Studio, testid: str) -> float:
-    box = studio.at(testid).bounding_box()
-    assert box is not None
-    return box["x"]
+    return place_of(studio.at(testid))["x"]
 
 
 def urdu_mirrors_the_page_and_cuts_nothing_off(studio: Studio) -> None:
@@ -89,9 +92,7 @@ def urdu_mirrors_the_page_and_cuts_nothing_off(studio: Studio) -> None:
         assert studio.page.evaluate(CUT_OFF) == []
     direction = "one => getComputedStyle(one).direction"
     assert studio.page.locator('[data-testid="code"] .cm-content').evaluate(direction) == "ltr"
-    start, stop = studio.at("vertex-start").bounding_box(), studio.page.locator(".vertex").first.bounding_box()
-    assert start is not None
-    assert stop is not None
+    start, stop = place_of(studio.at("vertex-start")), place_of(studio.page.locator(".vertex").first)
     assert start["y"] < stop["y"], "the program still goes down"
 
 
@@ -189,24 +190,15 @@ def f1_explains_the_part_that_has_the_focus_with_its_range(studio: Studio) -> No
 def the_empty_program_fits_a_small_window(studio: Studio) -> None:
     studio.page.set_viewport_size({"width": 1366, "height": 768})
     studio.new_mission()
-    card, canvas = studio.page.locator(".teaching").bounding_box(), studio.at("canvas").bounding_box()
-    assert card is not None
-    assert canvas is not None
+    card, canvas = place_of(studio.page.locator(".teaching")), place_of(studio.at("canvas"))
     assert card["x"] >= canvas["x"]
     assert card["x"] + card["width"] <= canvas["x"] + canvas["width"]
 
 
-def whoever_wants_less_motion_gets_none(studio: Studio) -> None:
-    studio.page.emulate_media(reduced_motion="reduce")
-    node = studio.page.locator(".canvas-node").first
-    assert node.evaluate("one => getComputedStyle(one).transitionDuration") in ("0s", "")
-
-
-def test_the_outline_and_f1_help_by_keys_more_contrast_and_less_motion_are_there_and_a_small_window_is_enough(
+def test_the_outline_and_f1_help_by_keys_and_more_contrast_are_there_and_a_small_window_is_enough(
     open_studio: OpenStudio,
 ) -> None:
     studio = open_studio(TRANSPORT)
-    whoever_wants_less_motion_gets_none(studio)
     f1_explains_the_part_that_has_the_focus_with_its_range(studio)
     the_outline_walks_the_program_and_deletes_with_the_keyboard_alone(studio)
     a_system_that_wants_more_contrast_gets_it(studio)

@@ -8,7 +8,6 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import expect
 
-from tests.effort import cases
 from tests.studio.conftest import LOOKS, Studio
 from tests.studio.looks import AXE, choose, find_nothing
 
@@ -39,10 +38,16 @@ def select(studio: Studio, testid: str) -> None:
     raise AssertionError(f"{testid} was not selected")
 
 
-@pytest.mark.parametrize("look", LOOKS, ids=str)
-def test_axe_finds_nothing_on_the_tools_of_the_canvas(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
-    studio = open_studio(TRANSPORT)
-    choose(studio, *look)
+def axe_finds_nothing_during_a_run(studio: Studio) -> None:
+    find_nothing(studio, "the transport mission")
+    studio.at("run-button").click()
+    expect(studio.page.locator(".vertex.is-active").first).to_be_visible()
+    studio.at("pause-button").click()
+    find_nothing(studio, "paused")
+    studio.at("stop-button").click()
+
+
+def axe_finds_nothing_on_the_tools_of_the_canvas(studio: Studio) -> None:
     keys = studio.page.keyboard
     studio.page.locator(".vertex").first.click()
     find_nothing(studio, "a part selected")
@@ -80,12 +85,7 @@ def test_axe_finds_nothing_on_the_tools_of_the_canvas(open_studio: OpenStudio, l
     find_nothing(studio, "a tab being renamed", within=".tabs")
 
 
-@pytest.mark.parametrize("look", LOOKS, ids=str)
-def test_axe_finds_nothing_on_problems_and_on_text_with_a_mistake(
-    open_studio: OpenStudio, look: tuple[str, ...]
-) -> None:
-    studio = open_studio(TRANSPORT)
-    choose(studio, *look)
+def axe_finds_nothing_on_problems_and_on_text_with_a_mistake(studio: Studio) -> None:
     keys = studio.page.keyboard
     select(studio, "vertex-start")
     keys.press("/")
@@ -109,7 +109,21 @@ def test_axe_finds_nothing_on_problems_and_on_text_with_a_mistake(
 
 
 @pytest.mark.parametrize("look", LOOKS, ids=str)
-@pytest.mark.parametrize("size", cases([(390, 844)], [(1024, 768)]), ids=str)
+def test_axe_finds_nothing_on_the_tools_of_the_canvas_problems_a_mistake_and_a_run(
+    open_studio: OpenStudio, look: tuple[str, ...]
+) -> None:
+    studio = open_studio(TRANSPORT)
+    choose(studio, *look)
+    axe_finds_nothing_during_a_run(studio)
+    axe_finds_nothing_on_the_tools_of_the_canvas(studio)
+    studio.page.keyboard.press("Escape")
+    studio.take_back()
+    axe_finds_nothing_on_problems_and_on_text_with_a_mistake(studio)
+
+
+@pytest.mark.thorough("test_touch.py: axe looks at the phone and at each of its rooms, in Urdu")
+@pytest.mark.parametrize("look", LOOKS, ids=str)
+@pytest.mark.parametrize("size", [(390, 844), (1024, 768)], ids=str)
 def test_axe_finds_nothing_on_small_screens(
     open_studio: OpenStudio, look: tuple[str, ...], size: tuple[int, int]
 ) -> None:
@@ -200,8 +214,7 @@ def test_axe_finds_nothing_on_a_breakpoint_the_watch_the_stage_a_merge_and_the_p
     the_printed_sheet(studio)
 
 
-def test_what_happens_is_said(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
+def what_happens_is_said(studio: Studio) -> None:
     keys = studio.page.keyboard
     said = studio.at("announcer")
     studio.at("part-Wait").click()
@@ -237,8 +250,7 @@ def test_what_happens_is_said(open_studio: OpenStudio) -> None:
     expect(status).to_contain_text("Stopped")
 
 
-def test_who_wants_less_motion_gets_none_anywhere(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT, reduced_motion="reduce")
+def who_wants_less_motion_gets_none_anywhere(studio: Studio) -> None:
     moving = """() => [...document.querySelectorAll('*')].filter(one => {
         const style = getComputedStyle(one);
         const long = (times) => times.split(',').some(time => parseFloat(time) > 0.001);
@@ -248,3 +260,9 @@ def test_who_wants_less_motion_gets_none_anywhere(open_studio: OpenStudio) -> No
     studio.page.locator(".vertex").first.click()
     studio.page.keyboard.press("z")
     assert studio.page.evaluate("document.getAnimations().length") == 0
+
+
+def test_what_happens_is_said_and_who_wants_less_motion_gets_none(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT, reduced_motion="reduce")
+    who_wants_less_motion_gets_none_anywhere(studio)
+    what_happens_is_said(studio)

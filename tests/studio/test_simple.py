@@ -6,9 +6,11 @@ import re
 from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page, ViewportSize, expect
 
+from tests.effort import cases
 from tests.studio.conftest import Studio
+from tests.studio.studio_page import place_of
 from tests.studio.test_touch import RobotSession, middle
 
 pytestmark = pytest.mark.browser
@@ -56,6 +58,7 @@ def test_a_new_user_sees_no_details_until_the_switch_says_so(open_studio: OpenSt
     expect(strip).to_have_attribute("aria-valuetext", re.compile(r"^[\d:.]+$"))
 
 
+@pytest.mark.thorough("web/src/session/simple-view.test.ts: each need shows everything, and it is said once")
 def test_a_mission_with_a_need_shows_everything_and_says_why(open_studio: OpenStudio) -> None:
     studio = open_studio(CONVOY, first_visit=True)
     expect(studio.at("banner")).to_contain_text("so everything is shown")
@@ -83,17 +86,16 @@ GROUNDS = """() => {
 }"""
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_forced_colours_keep_borders_tracks_and_what_is_chosen(open_studio: OpenStudio, scheme: str) -> None:
+def test_forced_colours_keep_borders_tracks_and_what_is_chosen(open_studio: OpenStudio) -> None:
     page = open_studio(SQUARE).page
-    page.emulate_media(forced_colors="active", color_scheme="dark" if scheme == "dark" else "light")
-    kept = page.evaluate(GROUNDS)
-    assert [what for what, there in kept.items() if not there] == []
+    for dark in (False, True):
+        page.emulate_media(forced_colors="active", color_scheme="dark" if dark else "light")
+        kept = page.evaluate(GROUNDS)
+        assert [what for what, there in kept.items() if not there] == [], "dark" if dark else "light"
 
 
 def box_of(page: Page, selector: str) -> tuple[float, float]:
-    box = page.locator(selector).bounding_box()
-    assert box is not None
+    box = place_of(page.locator(selector))
     return box["width"], box["height"]
 
 
@@ -114,9 +116,7 @@ def test_graph_and_stage_take_turns_at_200_percent(open_studio: OpenStudio) -> N
     expect(studio.at("canvas")).to_be_visible()
     # A room stands beside the graph.
     studio.at("room-palette").click()
-    parts, graph = page.locator(".parts").bounding_box(), page.locator(".canvas").bounding_box()
-    assert parts is not None
-    assert graph is not None
+    parts, graph = place_of(page.locator(".parts")), place_of(page.locator(".canvas"))
     assert graph["x"] + graph["width"] <= parts["x"] + 1
     assert graph["width"] >= 300
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
@@ -131,21 +131,29 @@ OUTSIDE = """() => [...document.querySelectorAll(
     .map(([name, { left, top, right, bottom }]) => `${name}: ${[left, top, right, bottom].map(Math.round)}`)"""
 
 
-@pytest.mark.parametrize(("width", "height"), [(390, 844), (720, 450)])
-def test_nothing_that_opens_leaves_the_window(open_studio: OpenStudio, width: int, height: int) -> None:
-    studio = open_studio(SQUARE, viewport={"width": width, "height": height})
+SIZES = [ViewportSize(width=390, height=844), ViewportSize(width=720, height=450)]
+"""Windows that are narrow and low, by turns; in the thorough profile each for everything that opens."""
+
+
+@pytest.mark.parametrize("turn", cases([0], [1]))
+def test_nothing_that_opens_leaves_the_window(open_studio: OpenStudio, turn: int) -> None:
+    studio = open_studio(SQUARE, viewport=SIZES[turn])
     page = studio.page
     found: list[str] = []
 
     def look(what: str) -> None:
+        nonlocal turn
         page.wait_for_function("document.getAnimations().every((one) => one.playState !== 'running')")
         found.extend(f"{what}: {one}" for one in page.evaluate(OUTSIDE))
         page.keyboard.press("Escape")
+        turn += 1
+        page.set_viewport_size(SIZES[turn % 2])
 
-    for title in page.locator(".menubar-title:visible").all():
-        title.click()
-        expect(page.get_by_role("menu").first).to_be_visible()
-        look(title.inner_text())
+    for title in page.locator(".menubar-title").all():
+        if title.is_visible():
+            title.click()
+            expect(page.get_by_role("menu").first).to_be_visible()
+            look(title.inner_text())
     studio.at("add-program").click()
     expect(page.get_by_role("menu").first).to_be_visible()
     look("a new program")

@@ -8,7 +8,9 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import expect
 
+from tests.effort import cases
 from tests.studio.conftest import WIDTH, Studio
+from tests.studio.studio_page import place_of
 
 pytestmark = pytest.mark.browser
 
@@ -66,7 +68,7 @@ ORANGE, LID = (0xE0, 0x7A, 0x1F), (0xF7, 0xA1, 0x54)
 """Of the pen, and of the first robot."""
 
 
-@pytest.mark.parametrize(("width", "height", "least"), [(1440, 900, 300), (390, 844, 200)])
+@pytest.mark.parametrize(("width", "height", "least"), cases([(1440, 900, 300)], [(390, 844, 200)]))
 def test_what_the_first_program_draws_is_large_and_free_beside_the_card(
     open_studio: OpenStudio, width: int, height: int, least: int
 ) -> None:
@@ -88,8 +90,7 @@ def test_what_the_first_program_draws_is_large_and_free_beside_the_card(
     assert drawing["inside"]
     assert robot["inside"]
     if width > 900:
-        box = studio.at("arena").bounding_box()
-        assert box is not None
+        box = place_of(studio.at("arena"))
         assert box["width"] == pytest.approx(0.4 * width, rel=0.02)
         # The text is one press away, and stays with the next run.
         studio.at("arena-text").click()
@@ -128,8 +129,7 @@ def test_on_a_phone_the_stage_is_all_there_is_and_a_room_ends_it(open_studio: Op
     expect(studio.page.locator(".zoom")).to_be_hidden()
     studio.at("arena-large").click()
     expect(studio.page.locator(".studio")).to_have_attribute("data-stage", "true")
-    box = studio.at("arena").bounding_box()
-    assert box is not None
+    box = place_of(studio.at("arena"))
     assert box["width"] == 390
     assert box["height"] > 400
     studio.at("room-code").click()

@@ -43,8 +43,7 @@ def robots_are_dragged_into_roles_and_groups_and_out(studio: Studio) -> None:
     assert save(studio, FILE) == before
 
 
-def test_the_team_is_made_by_keys_alone(open_studio: OpenStudio) -> None:
-    studio = open_studio(CONVOY)
+def the_team_is_made_by_keys_alone(studio: Studio) -> None:
     press = studio.page.keyboard.press
     studio.at("side-parts").focus()
     press("ArrowLeft")
@@ -80,6 +79,7 @@ def test_the_team_is_made_by_keys_alone(open_studio: OpenStudio) -> None:
 
 def a_role_is_renamed_where_it_is_spoken_of_and_mistakes_stand_on_its_card(studio: Studio) -> None:
     studio.at("change-leader").click()
+    find_nothing(studio, "roster", within=".side")
     name = studio.at("name-leader")
     name.fill("follower")
     expect(studio.page.get_by_role("alert").first).to_contain_text("follower is declared already.")
@@ -97,16 +97,18 @@ def a_role_is_renamed_where_it_is_spoken_of_and_mistakes_stand_on_its_card(studi
     expect(studio.at("trouble-follower")).to_have_count(0)
 
 
-def test_robots_are_dragged_into_roles_and_groups_and_a_role_is_renamed_with_mistakes_on_its_card(
+def test_the_team_is_made_by_keys_and_by_dragging_and_a_role_is_renamed_with_mistakes_on_its_card(
     open_studio: OpenStudio,
 ) -> None:
     studio = open_studio(CONVOY)
+    the_team_is_made_by_keys_alone(studio)
+    studio.take_back()
+    save(studio, FILE)
     robots_are_dragged_into_roles_and_groups_and_out(studio)
     a_role_is_renamed_where_it_is_spoken_of_and_mistakes_stand_on_its_card(studio)
 
 
-def test_a_first_program_of_the_team_is_started_its_members_glow_and_it_runs(open_studio: OpenStudio) -> None:
-    studio = open_studio("square/square.krt")
+def a_first_program_of_the_team_is_started_its_members_glow_and_it_runs(studio: Studio) -> None:
     studio.at("tab-of-team").click()
     expect(studio.at("first-team")).to_contain_text("what the robots do together")
     studio.at("start-team").click()
@@ -125,13 +127,11 @@ def test_a_first_program_of_the_team_is_started_its_members_glow_and_it_runs(ope
     studio.wait_until_done()
 
 
-def test_the_projection_follows_each_edit_and_leads_to_vertices_and_back(open_studio: OpenStudio) -> None:
-    studio = open_studio("square/square.krt")
-    expect(studio.at("code-tab-projection")).to_have_count(0)
-    studio.at("tab-of-team").click()
-    studio.at("start-team").click()
+def the_projection_follows_each_edit_and_leads_to_vertices_and_back(studio: Studio) -> None:
+    studio.at("tab-team").click()
     studio.at("code-tab-projection").click()
     text = studio.at("projection")
+    find_nothing(studio, "projection", within=".side")
     expect(text).to_contain_text("Team.Enter(0);")
     expect(studio.at("projection-mini-robot")).to_have_text("square")
     # A line of the program that stands in the team's leads there, and the other way round.
@@ -149,6 +149,15 @@ def test_the_projection_follows_each_edit_and_leads_to_vertices_and_back(open_st
     studio.at("change-square").click()
     studio.at("remove-square").click()
     expect(studio.at("projection-none")).to_contain_text("There is a mistake")
+
+
+def test_a_first_program_of_the_team_is_started_runs_and_its_projection_follows_each_edit(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio("square/square.krt")
+    expect(studio.at("code-tab-projection")).to_have_count(0)
+    a_first_program_of_the_team_is_started_its_members_glow_and_it_runs(studio)
+    the_projection_follows_each_edit_and_leads_to_vertices_and_back(studio)
 
 
 def test_every_member_s_place_glows_and_who_is_missing_is_said(open_studio: OpenStudio) -> None:
@@ -183,6 +192,7 @@ def members_glow_in_a_program_that_stands_in_the_team_s(studio: Studio) -> None:
     studio.at("stop-button").click()
 
 
+@pytest.mark.thorough("the journeys above look at the roster and at a projection with axe, in the light theme")
 @pytest.mark.parametrize("look", LOOKS)
 def test_axe_finds_nothing_wrong_with_the_roster(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio(CONVOY)

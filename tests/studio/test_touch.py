@@ -8,8 +8,9 @@ from typing import Any
 import pytest
 from playwright.sync_api import CDPSession, Locator, ViewportSize, expect
 
-from tests.effort import cases
 from tests.studio.conftest import Studio
+from tests.studio.looks import find_nothing
+from tests.studio.studio_page import place_of
 
 pytestmark = pytest.mark.browser
 
@@ -48,8 +49,7 @@ class RobotSession:
 
 
 def middle(at: Locator) -> tuple[float, float]:
-    box = at.bounding_box()
-    assert box is not None
+    box = place_of(at)
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
 
@@ -72,13 +72,11 @@ def a_tap_selects_and_a_tap_beside_selects_nothing(studio: Studio) -> None:
 def a_finger_that_rests_opens_the_menu_and_an_entry_is_tapped(studio: Studio) -> None:
     hand = RobotSession(studio)
     loop = studio.page.locator(".vertex", has_text="While").first
-    box = loop.bounding_box()
-    assert box is not None
+    box = place_of(loop)
     hand.put("touchStart", (box["x"] + 60, box["y"] + 22))
     expect(studio.at("context-menu")).to_be_visible()
     hand.put("touchEnd")
-    menu = studio.page.get_by_role("menu").bounding_box()
-    assert menu is not None
+    menu = place_of(studio.page.get_by_role("menu"))
     assert menu["x"] >= 0
     assert menu["x"] + menu["width"] <= TABLET["width"]
     studio.at("menu-context-note").tap()
@@ -97,11 +95,11 @@ def a_part_is_dragged_from_the_palette_onto_an_arc(studio: Studio) -> None:
     studio.expect_code("WAIT(10);")
 
 
-def a_tap_on_a_part_adds_it(studio: Studio) -> None:
+def a_tap_on_a_part_adds_it(studio: Studio, name: str) -> None:
     studio.at("vertex-start").tap()
     studio.at("room-palette").tap()
     studio.at("part-Wait").tap()
-    expect(studio.page.locator(".vertex-name", has_text="Wait")).to_be_in_viewport()
+    expect(studio.page.locator(".vertex-name", has_text=name)).to_be_in_viewport()
 
 
 def a_swipe_over_parts_scrolls_them_and_drags_none(studio: Studio) -> None:
@@ -191,8 +189,7 @@ def two_fingers_zoom_and_move_even_on_vertices(studio: Studio) -> None:
 
 def one_finger_moves_the_canvas(studio: Studio) -> None:
     hand = RobotSession(studio)
-    canvas = studio.at("canvas").bounding_box()
-    assert canvas is not None
+    canvas = place_of(studio.at("canvas"))
     begin = (canvas["x"] + 24, canvas["y"] + 40)
     before = camera(studio)
     hand.put("touchStart", begin)
@@ -286,15 +283,12 @@ def nothing_is_cut_off_and_stop_is_always_there(studio: Studio, size: ViewportSi
         expect(studio.at("run-button")).to_have_text("چلائیں")
     assert page.evaluate(WIDER) is False
     assert page.evaluate(CUT_OFF) == []
-    stop = studio.at("team-stop").bounding_box()
-    assert stop is not None
+    stop = place_of(studio.at("team-stop"))
     assert stop["x"] >= 0
     assert stop["x"] + stop["width"] <= size["width"]
-    run = studio.at("run-button").bounding_box()
-    assert run is not None
+    run = place_of(studio.at("run-button"))
     assert run["x"] + run["width"] <= stop["x"] or stop["x"] + stop["width"] <= run["x"]
-    canvas = studio.at("canvas").bounding_box()
-    assert canvas is not None
+    canvas = place_of(studio.at("canvas"))
     assert canvas["width"] >= 380
     if size is PHONE:
         for room, shown in (("palette", "part-find"), ("code", "code"), ("arena", "arena-canvas")):
@@ -302,13 +296,15 @@ def nothing_is_cut_off_and_stop_is_always_there(studio: Studio, size: ViewportSi
             expect(studio.at(shown)).to_be_in_viewport()
             expect(studio.at("canvas")).to_be_in_viewport()
             assert page.evaluate(WIDER) is False, room
+            find_nothing(studio, room)
         expect(studio.at("arena-large")).to_be_in_viewport(ratio=1)
         studio.at("room-arena").tap()
         expect(studio.at("arena-canvas")).not_to_be_visible()
 
 
-@pytest.mark.parametrize("language", cases(["ur"], ["en"]))
-@pytest.mark.parametrize("size", cases([PHONE], [TABLET]), ids=cases(["phone"], ["tablet"]))
+@pytest.mark.thorough("test_fingers_zoom_run_a_mission_and_add_a_part_on_a_phone_where_all_is_large…, in Urdu")
+@pytest.mark.parametrize("language", ["ur", "en"])
+@pytest.mark.parametrize("size", [PHONE, TABLET], ids=["phone", "tablet"])
 def test_nothing_is_cut_off_stop_is_always_there_and_what_is_pressed_is_44_px(
     open_with_fingers: Callable[[ViewportSize], Studio], size: ViewportSize, language: str
 ) -> None:
@@ -335,7 +331,7 @@ def a_mission_runs_on_a_phone(studio: Studio) -> None:
     expect(studio.at("status")).to_contain_text("Stopped")
 
 
-def test_fingers_zoom_run_a_mission_and_add_a_part_on_a_phone(
+def test_fingers_zoom_run_a_mission_and_add_a_part_on_a_phone_where_all_is_large_enough_and_in_view(
     open_with_fingers: Callable[[ViewportSize], Studio],
 ) -> None:
     studio = open_with_fingers(PHONE)
@@ -344,4 +340,8 @@ def test_fingers_zoom_run_a_mission_and_add_a_part_on_a_phone(
     a_mission_runs_on_a_phone(studio)
     studio.page.reload()
     expect(studio.page.locator(".vertex").first).to_be_visible()
-    a_tap_on_a_part_adds_it(studio)
+    everything_that_is_pressed_is_44_px(studio, PHONE)
+    studio.page.keyboard.press("Escape")
+    studio.at("problems").tap()
+    nothing_is_cut_off_and_stop_is_always_there(studio, PHONE, "ur")
+    a_tap_on_a_part_adds_it(studio, "ٹھہرو")

@@ -9,6 +9,7 @@ from playwright.sync_api import expect
 
 from tests.studio.conftest import LOOKS, Studio
 from tests.studio.looks import choose, find_nothing
+from tests.studio.studio_page import place_of
 
 pytestmark = pytest.mark.browser
 
@@ -180,6 +181,9 @@ def test_sensing_with_a_wrong_way_and_undo(open_studio: OpenStudio) -> None:
     done(studio, *range(1, 9))
 
 
+@pytest.mark.thorough(
+    "tests/tutorial/test_shipped.py: each step of together; by mouse: test_first_steps_draw_a_square…, test_main_job.py"
+)
 def test_together_with_two_branches_and_two_programs(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "together")
@@ -230,9 +234,7 @@ def test_later_steps_first_another_right_way_and_more_than_was_asked(open_studio
     at_step(studio, 6)
 
 
-def test_hints_come_when_asked_for_and_lead_to_what_is_meant(open_studio: OpenStudio) -> None:
-    studio = open_studio(BLINK)
-    begin(studio, "first-steps")
+def hints_come_when_asked_for_and_lead_to_what_is_meant(studio: Studio) -> None:
     part = studio.at("part-Pen.PenDown")
     expect(part).to_have_css("outline-style", "dashed")
     expect(studio.at("tutorial-hint")).to_have_count(0)
@@ -245,17 +247,14 @@ def test_hints_come_when_asked_for_and_lead_to_what_is_meant(open_studio: OpenSt
     at_step(studio, 2)
     expect(studio.at("tutorial-hint")).to_have_count(0)
     expect(part).not_to_have_css("outline-style", "dashed")
-    canvas, panel = studio.at("canvas").bounding_box(), studio.at("tutorial").bounding_box()
-    assert canvas is not None
-    assert panel is not None
+    canvas, panel = place_of(studio.at("canvas")), place_of(studio.at("tutorial"))
     assert panel["y"] + panel["height"] <= canvas["y"] + 1
 
 
-def test_skip_back_leave_and_come_back(open_studio: OpenStudio) -> None:
+def test_hints_lead_to_what_is_meant_and_steps_are_skipped_left_and_taken_up_again(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "first-steps")
-    studio.drop("Pen.PenDown", "first-place")
-    at_step(studio, 2)
+    hints_come_when_asked_for_and_lead_to_what_is_meant(studio)
     studio.at("tutorial-next").click()
     at_step(studio, 3)
     expect(studio.at("tutorial-step-2")).to_have_attribute("data-state", "skipped")
@@ -327,8 +326,6 @@ def test_axe_finds_nothing_and_nothing_overlaps(open_studio: OpenStudio, look: t
     for _ in range(7):
         studio.at("tutorial-next").click()
     find_nothing(studio, "the end", within=PANEL)
-    panel, leave = studio.at("tutorial").bounding_box(), studio.at("tutorial-leave").bounding_box()
-    assert panel is not None
-    assert leave is not None
+    panel, leave = place_of(studio.at("tutorial")), place_of(studio.at("tutorial-leave"))
     at_left = leave["x"] - panel["x"] < panel["width"] / 2
     assert at_left is ("ur" in look)

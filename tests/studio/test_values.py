@@ -8,7 +8,8 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Locator, Route, expect
 
-from tests.studio.conftest import Studio
+from tests.studio.conftest import HEIGHT, WIDTH, Studio
+from tests.studio.studio_page import place_of
 
 pytestmark = pytest.mark.browser
 
@@ -28,13 +29,6 @@ def written(studio: Studio, text: str) -> None:
     studio.page.keyboard.insert_text(text)
     expect(studio.at("code-state")).to_be_empty()
     studio.at("canvas").focus()
-
-
-def opened(open_studio: OpenStudio) -> Studio:
-    studio = open_studio(BLINK, locale="en")
-    written(studio, PROGRAM)
-    expect(vertex(studio, "Turn by")).to_be_visible()
-    return studio
 
 
 def a_value_is_shown_with_its_unit_and_edited_where_it_stands(studio: Studio) -> None:
@@ -210,7 +204,7 @@ COVERED = """() => {
 
 @pytest.mark.thorough("tests/studio/test_clipping.py, the screen paused: no text of a run lies over another")
 def test_what_a_sensor_says_lies_over_no_label_of_an_arc(open_studio: OpenStudio) -> None:
-    studio = open_studio("transport/transport.krt", locale="en")
+    studio = open_studio("transport/transport.krt")
     studio.at("run-button").click()
     expect(studio.page.locator(".live-value").first).to_be_visible()
     assert studio.page.locator(".arc-label").count() > 0
@@ -233,11 +227,9 @@ def an_empty_body_shows_where_to_drop_and_what_follows_a_new_loop_goes_inside(st
     place = studio.page.locator("[data-testid^='place-']")
     expect(place).to_have_count(1)
     # The whole frame takes what is dropped.
-    frame = studio.page.locator(".frame-loop").last.bounding_box()
+    frame = place_of(studio.page.locator(".frame-loop").last)
     studio.at("part-Wait").scroll_into_view_if_needed()
-    part = studio.at("part-Wait").bounding_box()
-    assert frame is not None
-    assert part is not None
+    part = place_of(studio.at("part-Wait"))
     mouse = studio.page.mouse
     mouse.move(part["x"] + 30, part["y"] + 10)
     mouse.down()
@@ -249,18 +241,17 @@ def an_empty_body_shows_where_to_drop_and_what_follows_a_new_loop_goes_inside(st
     expect(place).to_have_count(0)
 
 
-def test_a_value_is_typed_where_it_stands_even_before_its_field_is_there_and_in_the_inspector(
+def test_a_value_is_typed_where_it_stands_and_in_the_inspector_and_chips_show_what_sensors_say(
     open_studio: OpenStudio,
 ) -> None:
-    studio = opened(open_studio)
+    studio = open_studio(BLINK)
+    written(studio, PROGRAM)
+    expect(vertex(studio, "Turn by")).to_be_visible()
     what_is_typed_before_the_field_is_there_is_typed_into_it(studio)
     studio.page.keyboard.press("Control+z")
     a_value_is_shown_with_its_unit_and_edited_where_it_stands(studio)
+    an_empty_body_shows_where_to_drop_and_what_follows_a_new_loop_goes_inside(studio)
     written(studio, PROGRAM)
     the_inspector_has_the_same_field_with_what_fits_and_the_name_of_lll(studio)
-
-
-def test_an_empty_body_takes_what_is_dropped_and_chips_show_what_sensors_say(open_studio: OpenStudio) -> None:
-    studio = open_studio(BLINK, locale="en")
-    an_empty_body_shows_where_to_drop_and_what_follows_a_new_loop_goes_inside(studio)
+    studio.page.set_viewport_size({"width": WIDTH, "height": HEIGHT})
     chips_show_what_sensors_say_while_a_run_exists_and_can_be_switched(studio)

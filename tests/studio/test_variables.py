@@ -10,6 +10,7 @@ from playwright.sync_api import expect
 
 from tests.studio.conftest import Studio
 from tests.studio.looks import choose, find_nothing
+from tests.studio.studio_page import place_of
 
 pytestmark = pytest.mark.browser
 
@@ -165,8 +166,7 @@ def an_open_text_with_a_mistake_follows_a_new_name(studio: Studio) -> None:
 
 
 def a_finger_that_rests_opens_the_menu(studio: Studio) -> None:
-    box = row(studio, "Count").bounding_box()
-    assert box is not None
+    box = place_of(row(studio, "Count"))
     at = {"clientX": box["x"] + 40, "clientY": box["y"] + 10, "pointerType": "touch", "bubbles": True}
     row(studio, "Count").dispatch_event("pointerdown", at)
     expect(studio.at("variable-menu")).to_be_visible()

@@ -10,6 +10,7 @@ from playwright.sync_api import expect
 from tests.effort import THOROUGH, cases
 from tests.studio.conftest import Studio
 from tests.studio.looks import choose, find_nothing
+from tests.studio.studio_page import place_of
 
 pytestmark = pytest.mark.browser
 
@@ -134,8 +135,7 @@ def test_every_program_is_reached_where_its_tab_has_no_room(open_studio: OpenStu
         studio.at("more-programs").click()
         expect(studio.at("program-find")).to_be_focused()
         expect(studio.at("program-list").locator("li")).to_have_count(40)
-        box = studio.at("program-list").bounding_box()
-        assert box is not None
+        box = place_of(studio.at("program-list"))
         assert box["x"] >= 0
         assert box["x"] + box["width"] <= width
         find_nothing(studio, "the list of programs")

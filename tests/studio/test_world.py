@@ -11,6 +11,7 @@ from playwright.sync_api import expect
 from tests.studio.conftest import LOOKS, Studio
 from tests.studio.looks import choose as choose_look
 from tests.studio.looks import find_nothing
+from tests.studio.studio_page import place_of
 from tests.studio.test_undo import press_until_nothing_is_left, save
 
 pytestmark = pytest.mark.browser
@@ -30,8 +31,7 @@ def edit(studio: Studio) -> None:
 
 def spot(studio: Studio, x_mm: float, y_mm: float, size: tuple[float, float]) -> tuple[float, float]:
     """Where a place of the world is on the screen while all of it is in view."""
-    box = studio.at("world-stage").bounding_box()
-    assert box is not None
+    box = place_of(studio.at("world-stage"))
     scale = min((box["width"] - 2 * MARGIN_PX) / size[0], (box["height"] - 2 * MARGIN_PX) / size[1])
     left = box["x"] + (box["width"] - size[0] * scale) / 2
     bottom = box["y"] + (box["height"] + size[1] * scale) / 2
@@ -137,8 +137,7 @@ def test_a_road_with_a_hole_in_a_file_is_told_at_the_road_and_mended(open_studio
     expect(studio.at("world-chosen")).to_contain_text("a gap of 30 mm")
     type_number(studio, "sections", 5)
     type_number(studio, "sections", 6)
-    drag_cut = studio.page.locator('[data-testid="grip-cut:1"]').bounding_box()
-    assert drag_cut is not None
+    drag_cut = place_of(studio.page.locator('[data-testid="grip-cut:1"]'))
     middle = (drag_cut["x"] + drag_cut["width"] / 2, drag_cut["y"] + drag_cut["height"] / 2)
     drag(studio, middle, (middle[0], middle[1] - 6))
     expect(studio.at("wrong-road-0")).not_to_be_attached()
@@ -253,8 +252,7 @@ def alt_is_free_of_the_grid_and_ends_hold(studio: Studio) -> None:
 
 def a_robot_dragged_in_the_arena_starts_there(studio: Studio) -> None:
     expect(studio.at("arena-summary")).to_contain_text(re.compile("2[,\u202f]?000"))
-    box = studio.at("arena-canvas").bounding_box()
-    assert box is not None
+    box = place_of(studio.at("arena-canvas"))
     middle = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
     drag(studio, middle, (middle[0] - 120, middle[1]))
     expect(studio.page.get_by_text("is part of this mission now", exact=False).first).to_be_visible()

@@ -11,6 +11,7 @@ from playwright.sync_api import expect
 from kitrobot.cli.app import main
 from tests.effort import cases
 from tests.studio.conftest import EXAMPLES, Studio
+from tests.studio.studio_page import place_of
 from tests.studio.test_world import ROOM, drag, edit, number, spot, type_number
 
 pytestmark = pytest.mark.browser
@@ -25,8 +26,7 @@ def test_the_world_fills_the_page_takes_zones_and_boxes_and_gives_way_to_a_run(o
     for room in ("code", "arena"):
         expect(studio.at(room)).not_to_be_visible()
     expect(page.locator(".parts-frame")).not_to_be_visible()
-    box = studio.at("world").bounding_box()
-    assert box is not None
+    box = place_of(studio.at("world"))
     assert box["width"] > 1590
     # A zone is drawn, becomes loud and a rectangle, and is dragged by its grip.
     studio.at("world-tool-zone").click()
@@ -68,8 +68,7 @@ def test_the_world_fills_the_page_takes_zones_and_boxes_and_gives_way_to_a_run(o
 
 def in_arena(studio: Studio, x_mm: float, y_mm: float) -> tuple[float, float]:
     """Where a place of the world of `tidy-up` is on the screen, as the arena shows all of it."""
-    box = studio.at("arena-canvas").bounding_box()
-    assert box is not None
+    box = place_of(studio.at("arena-canvas"))
     width, height, margin = 2200, 1200, 26
     scale = min((box["width"] - 2 * margin) / width, (box["height"] - 2 * margin) / height)
     left = box["x"] + (box["width"] - width * scale) / 2

@@ -5,19 +5,22 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { moreWords, speak } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { CARRIER, fileOf, missionOf } from "../../model/testing/missions";
-import type { Mission } from "../../model/types";
+import held from "../../model/testing/worlds.json";
+import type { Mission, World } from "../../model/types";
 import { type Hands, handsOn } from "../../testing/hands";
 import { mount, type Mounted } from "../../testing/hooks";
 import { About } from "./About";
 import { Agents } from "./Agents";
 import { Conditions } from "./Conditions";
 import { Failures } from "./Failures";
+import { Goals } from "./Goals";
 
 const MISSION: Mission = {
   ...missionOf(CARRIER, { ...CARRIER, name: "loader" }),
   agents: ["a", "b", "c"].map((name) => ({ name, program: "carrier", start: "" })),
 };
 
+const RING = held.find(({ drawn }) => drawn.name === "ring")?.drawn as unknown as World;
 const PATIENCE_MS = 60_000;
 
 let page: Mounted;
@@ -47,6 +50,7 @@ beforeEach(async () => {
   page = mount(
     <>
       <Agents />
+      <Goals />
       <Failures />
       <Conditions />
       <About />
@@ -76,6 +80,8 @@ describe("robots", () => {
     hands.fill("agent-name-2", "scout");
     hands.press("agent-name-2", "Enter");
     expect(names()).toEqual(["a", "b", "scout"]);
+    // Its start had its old name: it stays there.
+    expect(mission().agents[2]?.start).toBe("c");
     undoAll();
   });
 
@@ -106,6 +112,34 @@ describe("robots", () => {
     expect(names()).toEqual(["a", "b", "c"]);
     await waitFor(() => isFocused("agent-remove-2"));
     undoAll();
+  });
+});
+
+describe("goals", () => {
+  it("are added with the focus in the first storehouse that has none, changed, and removed", async () => {
+    const { worldOf } = useStudio.getState();
+    page.act(() => useStudio.getState().loadWorld(worldOf, RING));
+    hands.click("add-goal");
+    await waitFor(() => isFocused("goal-house-0"));
+    expect(mission().goals).toEqual([{ storehouse: "A", stock: "all" }]);
+    hands.choose("goal-all-0", "");
+    hands.fill("goal-stock-0", "7");
+    hands.press("goal-stock-0", "Enter");
+    hands.choose("goal-house-0", "B");
+    expect(mission().goals).toEqual([{ storehouse: "B", stock: "7" }]);
+    hands.click("add-goal");
+    await waitFor(() => isFocused("goal-house-1"));
+    expect(value("goal-house-1")).toBe("A");
+    hands.click("goal-remove-1");
+    await waitFor(() => isFocused("add-goal"));
+    expect(mission().goals).toHaveLength(1);
+    undoAll();
+  });
+
+  it("of a storehouse that the world has not are marked", () => {
+    page.act(() => useStudio.getState().openMission(fileOf({ ...MISSION, goals: [{ storehouse: "X", stock: "3" }] })));
+    page.act(() => useStudio.getState().loadWorld(useStudio.getState().worldOf, RING));
+    expect(isWrong("goal-house-0")).toBe(true);
   });
 });
 
