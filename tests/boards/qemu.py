@@ -62,7 +62,7 @@ class Emulated:
 
 @contextlib.contextmanager
 def running(*extra: str, firmware: str = "") -> Iterator[Emulated]:
-    """A board that has started, with nothing on it. `extra`: options of QEMU; `firmware`: another than the installed."""
+    """A board that has started, with nothing on it. `extra`: options of QEMU; `firmware`: its file."""
     with booted(*extra, firmware=firmware) as board:
         with board.wire() as wire:
             wire.sendall(b"\r")

@@ -42,7 +42,7 @@ def open_studio(
         str | None,
         typer.Argument(
             metavar="FILE.krt | FILE.krtrace | FOLDER",
-            help="A mission, a picture that carries one (`.svg`, `.png`, `.pdf`), a recorded run, or a folder of"
+            help="A mission, a file with one inside (`.svg`, `.png`, `.pdf`, `.hex`), a recorded run, or a folder of"
             " missions.",
         ),
     ] = None,

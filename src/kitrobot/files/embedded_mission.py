@@ -79,7 +79,7 @@ def carried_mission(data: bytes, name: str) -> tuple[bytes, str]:
             else Sentence("`{name}` is not the hex file that its name promises", name)
             if data
             else Sentence("`{name}` is empty", name),
-            Sentence("get the picture once more, or open the mission's own `.krt`"),
+            Sentence("get the file once more, or open the mission's own `.krt`"),
         )
     else:
         return data, name
@@ -103,7 +103,7 @@ def read_carried(path: Path) -> bytes:
 def _damaged(name: str) -> CarriedError:
     return CarriedError(
         Sentence("`{name}` is damaged, so no mission can be taken out of it", name),
-        Sentence("get the picture once more"),
+        Sentence("get the file once more"),
     )
 
 

@@ -108,6 +108,13 @@ def convert(source: Path, target: Path, *, program: str | None = None, robot: st
             Sentence("`{target}` would be a picture, and pictures are drawn by the studio", target),
             Sentence("open the mission in the studio and choose Export in the menu File"),
         )
+    if may_carry_mission(target.name):
+        raise ConversionError(
+            Sentence(
+                "`{target}` would be a file for a board, and that needs to know what the robot is built of", target
+            ),
+            Sentence("make it with {command}", f"`kitrobot deploy {source} --file {target}`"),
+        )
     carried = may_carry_mission(source.name)
     form, wanted = Form.MISSION if carried else form_of(source), form_of(target)
     if form is wanted and not carried:

@@ -29,7 +29,10 @@ V1, V2 = 0x9900, 0x9903
 """The numbers of the boards: that of 2016, and V2."""
 
 _FOLDERS = {V1: "microbitv1", V2: "microbitv2"}
-_LIBRARY = Sentence("install it with {command}", "`pip install micropython-microbit-fs`")
+_LIBRARY = Sentence(
+    "install it with {command}; a page without an installed KitRobot needs the network for it",
+    "`pip install micropython-microbit-fs`",
+)
 
 
 @dataclass(frozen=True)

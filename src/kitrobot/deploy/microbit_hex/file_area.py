@@ -115,7 +115,7 @@ def _put_file(data: bytearray, name: bytes, content: bytes, first: int, count: i
     text = bytes(((2 + len(name) + len(content)) % _DATA, len(name))) + name + content
     for place in range(first, first + count):
         at = (place - 1) * CHUNK
-        piece = text[: _DATA].ljust(_DATA, b"\xff")
+        piece = text[:_DATA].ljust(_DATA, b"\xff")
         text = text[_DATA:]
         before = _START if place == first else place - 1
         after = _UNUSED if place == first + count - 1 else place + 1
