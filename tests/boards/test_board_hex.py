@@ -1,7 +1,7 @@
 """Files for the drive of a micro:bit start by themselves and do what a program does that was sent.
 
-The section of the board of 2016 runs on its own firmware in QEMU. There is no V2: its files run on a current MicroPython
-that poses as one, whose flash has only what was read out of the V2's section by a library that is not ours.
+The section of the board of 2016 runs on its own firmware in QEMU. There is no V2: its files run on a current
+MicroPython that poses as one, whose flash has only what was read out of the V2's section by a library that is not ours.
 """
 
 from __future__ import annotations

@@ -30,7 +30,7 @@ class BoardFile:
 
     data: bytes
     boards: Series
-    reasons: tuple[tuple[str, BoardError], ...]
+    reasons: tuple[tuple[Sentence, BoardError], ...]
 
 
 def make_board_file(program: BoardProgram, mission: bytes) -> BoardFile:

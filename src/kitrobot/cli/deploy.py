@@ -152,10 +152,10 @@ def _save_file(program: BoardProgram, mission: Path, target: Path, as_json: bool
 
     made = save_board_file(program, mission, target)
     if as_json:
-        reasons = {board: str(error.message) for board, error in made.reasons}
+        reasons = {str(board): str(error.message) for board, error in made.reasons}
         print_data(json_text({"file": str(target), "bytes": len(made.data), "left_out": reasons}, 2) + "\n")
     for board, error in made.reasons:
-        print_message(Sentence("it is not for a {board}: {reason}", board, error.message))
+        print_message(Sentence("it is not for {board}: {reason}", board, error.message))
         print_message(f"  help: {error.help}")
     print_message(Sentence("{file}: written for {boards}; copy it onto the drive of the board", target, made.boards))
 

@@ -17,7 +17,7 @@ _DAY: Final = (2020, 1, 1, 0, 0, 0)
 
 
 def firmware_archive() -> bytes:
-    """The hex files of the library and its licence as a ZIP, by their places in it; the same bytes for the same files."""
+    """The hex files of the library and its licence as a ZIP, by their places in it; always the same bytes."""
     made = io.BytesIO()
     with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
         for entry in sorted(distribution(_LIBRARY).files or (), key=str):

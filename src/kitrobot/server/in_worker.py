@@ -13,10 +13,10 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-import kitrobot
 from pyodide.ffi import can_run_sync, create_proxy, run_sync, to_js
 from pyodide.http import pyfetch
 
+import kitrobot
 from kitrobot.live.background import set_sleep_function
 from kitrobot.server.in_page_server import InPageServer, Socket, begin
 

@@ -29,7 +29,7 @@ from kitrobot.files.intel_hex import HexFile, write_hex
 from kitrobot.text.sentences import Sentence
 from kitrobot_onboard.link import checksum
 
-BOARD_NAMES = {V1: "micro:bit (2016)", V2: "micro:bit V2"}
+BOARD_NAMES = {V1: Sentence("the micro:bit of 2016"), V2: Sentence("the micro:bit V2")}
 
 
 @dataclass(frozen=True)

@@ -57,7 +57,7 @@ def board_file(studio: ThisStudio, wanted: BoardFileAskShape) -> BoardFileShape:
     folder = studio.folder.folders_of(wanted.path)[0]
     kit = kit_named(wanted.kit, folder) if wanted.kit else None
     made = make_board_file(board_program(opened, wanted.program, folder, kit), write_mission(mission))
-    reasons = [Sentence("it is not for a {board}: {reason}", board, error.message) for board, error in made.reasons]
+    reasons = [Sentence("it is not for {board}: {reason}", board, error.message) for board, error in made.reasons]
     return BoardFileShape(file=b64encode(made.data).decode(), boards=made.boards, reasons=reasons)
 
 
