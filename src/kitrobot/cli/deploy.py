@@ -103,8 +103,7 @@ def deploy_program(
     is 1 when the program has errors, or when one of the robots could not be brought to run it.
     """
     from kitrobot.boards.board_files import expect_board_file
-    from kitrobot.boards.programs import load_board_program, send_program
-    from kitrobot.robots.board_operations import choose_boards
+    from kitrobot.boards.programs import load_board_program
 
     if many:
         if to or program or robot or team or board or file:
@@ -134,8 +133,16 @@ def deploy_program(
     print_diagnostics(ready.diagnostics, ready.sources)
     if file is not None:
         _save_file(ready, mission, file, as_json)
-        return
-    addresses = choose_boards(to or [])
+    else:
+        _send(ready, to or [], as_json, replace=replace, fresh=fresh)
+
+
+def _send(ready: BoardProgram, to: Sequence[str], as_json: bool, *, replace: bool, fresh: bool) -> None:
+    """Sends a program to robots, and says of each what became of it."""
+    from kitrobot.boards.programs import send_program
+    from kitrobot.robots.board_operations import choose_boards
+
+    addresses = choose_boards(to)
     with _bars(addresses) as progress:
         sent = send_program(ready, addresses, progress, replace=replace, fresh=fresh)
     if as_json:
