@@ -34,7 +34,7 @@ TICKS = 2000 if THOROUGH else 25
 def section(program: BoardProgram, board: int) -> str:
     """The Intel Hex of one board, as another library takes it out of the universal hex."""
     made = make_board_hex(program.file, program.package, program.needs)
-    return next(one.hex for one in universal_hex.separate_uhex(made.data.decode()) if one.board_id == board)
+    return str(next(one.hex for one in universal_hex.separate_uhex(made.data.decode()) if one.board_id == board))
 
 
 def image_2016(program: BoardProgram, folder: Path) -> str:
