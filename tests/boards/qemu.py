@@ -61,30 +61,41 @@ class Emulated:
 
 
 @contextlib.contextmanager
-def running(*extra: str) -> Iterator[Emulated]:
-    """A board that has started, with nothing on it. `extra`: options of QEMU."""
-    found = qemu.find()
-    # Not skipped: who leaves the board tests out says so with -m.
-    assert found is not None, "no QEMU with a micro:bit here; install them, or leave these tests out: -m 'not boards'"
+def running(*extra: str, firmware: str = "") -> Iterator[Emulated]:
+    """A board that has started, with nothing on it. `extra`: options of QEMU; `firmware`: its file."""
+    with booted(*extra, firmware=firmware) as board:
+        with board.wire() as wire:
+            wire.sendall(b"\r")
+            board.read_until(wire, b">>> ")
+            _erase(board, wire, _end_of(Path(firmware or _installed().firmware)))
+        yield board
+
+
+@contextlib.contextmanager
+def booted(*extra: str, firmware: str) -> Iterator[Emulated]:
+    """A board that has just been given its power, with what is in a firmware's file and no more."""
+    found = _installed()
     with socket.create_server(("127.0.0.1", 0)) as listener:
         port = listener.getsockname()[1]
         process = subprocess.Popen(
-            _command(found, listener.fileno(), extra),
+            _command(found.program, firmware or found.firmware, listener.fileno(), extra),
             pass_fds=[listener.fileno()],
             stdin=subprocess.PIPE,
             stdout=subprocess.DEVNULL,
             start_new_session=True,  # Linux shares cores among sessions: a board is no part of a worker's share
         )
     try:
-        board = Emulated(f"socket://127.0.0.1:{port}", port, process)
-        with board.wire() as wire:
-            wire.sendall(b"\r")
-            board.read_until(wire, b">>> ")
-            _erase(board, wire, _end_of(Path(found.firmware)))
-        yield board
+        yield Emulated(f"socket://127.0.0.1:{port}", port, process)
     finally:
         process.kill()
         process.wait()
+
+
+def _installed() -> qemu.Emulator:
+    found = qemu.find()
+    # Not skipped: who leaves the board tests out says so with -m.
+    assert found is not None, "no QEMU with a micro:bit here; install them, or leave these tests out: -m 'not boards'"
+    return found
 
 
 def _erase(board: Emulated, wire: socket.socket, start: int) -> None:
@@ -119,14 +130,14 @@ def _end_of(firmware: Path) -> int:
     return -(-end // _PAGE) * _PAGE
 
 
-def _command(found: qemu.Emulator, listener: int, extra: Sequence[str]) -> list[str]:
+def _command(program: str, firmware: str, listener: int, extra: Sequence[str]) -> list[str]:
     # Whatever ends the tests ends the board too: it would take a whole core until the machine is restarted.
     setpriv = shutil.which("setpriv")
     return [
         *([setpriv, "--pdeathsig", "KILL"] if setpriv else []),
-        found.program,
+        program,
         *("-M", "microbit", "-display", "none", "-monitor", "stdio"),
         *("-chardev", f"socket,id=s,fd={listener},server=on,wait=off,nodelay=on", "-serial", "chardev:s"),
-        *("-device", f"loader,file={found.firmware}"),
+        *("-device", f"loader,file={firmware}"),
         *extra,
     ]

@@ -7,7 +7,9 @@ no block of code in flash, so what is done for the board of 2016 would fail ther
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from time import monotonic
+from types import MappingProxyType
 
 import pytest
 
@@ -66,16 +68,18 @@ uart = Uart()
 """What is added to a module `microbit` that only remembers: its serial line and its clock."""
 
 
-def board(chip: str, version: tuple[int, ...] = ()) -> ModernBoard:
-    """One with that chip. `version`: what it says that the version of its MicroPython is; none: which it is."""
+def board(chip: str, version: tuple[int, ...] = (), files: Mapping[str, bytes] = MappingProxyType({})) -> ModernBoard:
+    """One with that chip. `version`: what it says that the version of its MicroPython is; none: which it is. `files`:
+    what is on it already.
+    """
     known = onboard_files()
-    files = {name: known[name] for name in ("machine.py", "neopixel.py")}
+    pins = {name: known[name] for name in ("machine.py", "neopixel.py")}
     boot = BOOT.replace(b"CHIP", chip.encode())
     if version:
         boot = boot.replace(b"implementation = sys.implementation", f"implementation = ('', {version})".encode())
     utime = b"from time import *\n"
     microbit = known["microbit.py"] + SERIAL
-    return ModernBoard({**files, "boot.py": boot, "microbit.py": microbit, "utime.py": utime})
+    return ModernBoard({**pins, **files, "boot.py": boot, "microbit.py": microbit, "utime.py": utime})
 
 
 def goes_on(link: Board) -> None:

@@ -50,6 +50,29 @@ def test_a_program_that_is_not_there_says_so(page: TestClient, mission: dict[str
     assert ask(page, mission, "other").status_code == 422
 
 
+def save(page: TestClient, path: str, program: str, kit: str) -> Any:
+    opened = page.get("/api/mission", params={"path": path}).json()["mission"]
+    return page.post("/api/board-file", json={"mission": opened, "path": "", "program": program, "kit": kit})
+
+
+def test_a_file_for_a_board_is_for_both_micro_bits_and_opens_as_its_mission(page: TestClient) -> None:
+    made = save(page, "example:heart/heart.krt", "heart", "microbit").json()
+    assert (made["boards"], made["reasons"]) == ("the micro:bit of 2016, the micro:bit V2", [])
+    data = b64decode(made["file"], validate=True)
+    opened = page.post("/api/mission/read", params={"name": "heart.hex"}, content=data).json()
+    assert (opened["path"], opened["name"]) == ("", "heart.krt")
+    assert [program["name"] for program in opened["mission"]["programs"]] == ["heart"]
+
+
+def test_what_is_no_file_for_a_board_says_why(page: TestClient) -> None:
+    refused = save(page, "example:square/square.krt", "square", "pico")
+    assert refused.status_code == 422
+    assert refused.json()["message"] == "A `.hex` is for a micro:bit, and the kit `pico` is for another board."
+    cut = page.post("/api/mission/read", params={"name": "heart.hex"}, content=b":020000040000FA\n:20")
+    assert cut.status_code == 422
+    assert cut.json()["message"].startswith("`heart.hex` is no hex file of a micro:bit that is whole: its line 2")
+
+
 def test_a_picture_in_the_folder_opens_as_a_mission_without_a_file(page: TestClient, folder: Path) -> None:
     (folder / "blink.pdf").write_bytes(pdf(SHORT.encode()))
     found = page.get("/api/mission", params={"path": "blink.pdf"}).json()

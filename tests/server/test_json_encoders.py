@@ -266,6 +266,11 @@ ASKED: dict[tuple[str, str], tuple[Asking, ...]] = {
     ("POST", "/api/image"): (
         lambda both: both.post("image", mission=both.mission(), path="rich.krt", program="blink"),
     ),
+    ("POST", "/api/board-file"): (
+        lambda both: both.post(
+            "board-file", mission=both.mission("example:heart/heart.krt"), path="", program="heart", kit=""
+        ),
+    ),
     ("GET", "/api/tutorials"): (lambda both: both.get("tutorials"),),
     ("POST", "/api/tutorial/watch"): (
         lambda both: both.post(

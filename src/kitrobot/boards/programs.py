@@ -13,7 +13,7 @@ from kitrobot.compiler.target import robot_of
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Source
 from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.files.disk import read_text
-from kitrobot.files.embedded_mission import is_picture
+from kitrobot.files.embedded_mission import may_carry_mission
 from kitrobot.files.examples import find_mission
 from kitrobot.files.program_formats import Form, form_of
 from kitrobot.primitives.kit import Kit
@@ -61,7 +61,7 @@ def load_board_program(
     """
     beside = path.parent
     path = find_mission(path)
-    form = Form.MISSION if is_picture(path.name) else form_of(path, _FORMS)
+    form = Form.MISSION if may_carry_mission(path.name) else form_of(path, _FORMS)
     built_of = find_kit(kit, beside) if kit is not None else built_of
     if form is Form.MISSION:
         return board_program(open_mission(path, robot=robot), program, path.parent, built_of)

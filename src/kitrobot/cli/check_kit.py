@@ -42,11 +42,11 @@ def check_on_kit(files: Sequence[Path], board: str, robot: str | None, *, as_jso
 def _programs(path: Path, kit: Kit, robot: str | None) -> list[ProgramOnKit]:
     from kitrobot.boards.kits import mission_on_kit, text_on_kit
     from kitrobot.boards.programs import no_robot
-    from kitrobot.files.embedded_mission import is_picture
+    from kitrobot.files.embedded_mission import may_carry_mission
     from kitrobot.files.program_formats import Form, form_of
     from kitrobot.workspace.mission_loader import open_mission
 
-    if is_picture(path.name) or form_of(path, (Form.TEXT, Form.MISSION)) is Form.MISSION:
+    if may_carry_mission(path.name) or form_of(path, (Form.TEXT, Form.MISSION)) is Form.MISSION:
         return mission_on_kit(open_mission(path, robot=robot), kit)
     if robot is None:
         raise no_robot(path)

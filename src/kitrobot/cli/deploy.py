@@ -18,6 +18,7 @@ from kitrobot.text.sentences import Sentence
 
 if TYPE_CHECKING:
     from kitrobot.robots.board_operations import SendResult
+    from kitrobot.robots.program import BoardProgram
 
 STAGES = {
     "connect": "connecting",
@@ -66,6 +67,15 @@ Team = Annotated[
 BoardSet = Annotated[
     bool, typer.Option("--set", help="To each of many boards what a list, or a folder, names for the label on it.")
 ]
+BoardFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--file",
+        metavar="FILE.hex",
+        help="To no board, but into a file that is copied onto the drive of a micro:bit, of 2016 or V2.",
+        show_default=False,
+    ),
+]
 
 
 def deploy_program(
@@ -78,6 +88,7 @@ def deploy_program(
     team: Team = False,
     board: KitOrBoards = None,
     many: BoardSet = False,
+    file: BoardFile = None,
     as_json: AsJson = False,
 ) -> None:
     """Put a program onto real robots and start it there; from then on it starts by itself when the power comes on.
@@ -85,22 +96,26 @@ def deploy_program(
     With --board NAME the robot's parts are wired as a kit's file says, and not as the robot's own. With --team every
     agent's program goes to its board and waits there: `kitrobot team` starts all of them. With --set the MISSION is a
     table with the columns `label` and `mission`, or a folder with a mission NAME.krt for the board with the label NAME;
-    `kitrobot boards --label` gives labels.
+    `kitrobot boards --label` gives labels. With --file the board is not there: its drive takes the file later, from any
+    computer, and the file opens in the studio as the mission.
 
     Only what is new is sent, and it is read back. Until all of it is there the robot keeps what it had. The exit status
     is 1 when the program has errors, or when one of the robots could not be brought to run it.
     """
-    from kitrobot.boards.programs import load_board_program, send_program
-    from kitrobot.robots.board_operations import choose_boards
+    from kitrobot.boards.board_files import expect_board_file
+    from kitrobot.boards.programs import load_board_program
 
     if many:
-        if to or program or robot or team or board:
-            words = "with --set the list says programs, kits and ports"
+        if to or program or robot or team or board or file:
+            words = "with --set the list says programs, kits and ports, and nothing goes into a file"
             raise typer.BadParameter(words, param_hint="'--set'")
         from kitrobot.cli.deploy_set import deploy_set
 
         deploy_set(mission, _bars, replace=replace, fresh=fresh, as_json=as_json)
         return
+    if file is not None and (to or team or fresh or replace):
+        words = "a file goes to no board yet: --file goes without --to, --team, --fresh and --replace"
+        raise typer.BadParameter(words, param_hint="'--file'")
     if team:
         if board is None or not any("=" in one for one in board):
             raise typer.BadParameter("--team and --board AGENT=PORT belong together", param_hint="'--team'")
@@ -112,9 +127,22 @@ def deploy_program(
     if board and (len(board) > 1 or "=" in board[0]):
         words = "without --team it is one kit: a name or a .board.xml; --board AGENT=PORT belongs to --team"
         raise typer.BadParameter(words, param_hint="'--board'")
+    if file is not None:
+        expect_board_file(file)
     ready = load_board_program(mission, robot=robot, program=program, kit=board[0] if board else None)
     print_diagnostics(ready.diagnostics, ready.sources)
-    addresses = choose_boards(to or [])
+    if file is not None:
+        _save_file(ready, mission, file, as_json)
+    else:
+        _send(ready, to or [], as_json, replace=replace, fresh=fresh)
+
+
+def _send(ready: BoardProgram, to: Sequence[str], as_json: bool, *, replace: bool, fresh: bool) -> None:
+    """Sends a program to robots, and says of each what became of it."""
+    from kitrobot.boards.programs import send_program
+    from kitrobot.robots.board_operations import choose_boards
+
+    addresses = choose_boards(to)
     with _bars(addresses) as progress:
         sent = send_program(ready, addresses, progress, replace=replace, fresh=fresh)
     if as_json:
@@ -123,6 +151,20 @@ def deploy_program(
         _print_result(one, one.address, as_json, ready.names.program)
     if any(one.error is not None for one in sent):
         raise typer.Exit(1)
+
+
+def _save_file(program: BoardProgram, mission: Path, target: Path, as_json: bool) -> None:
+    """Writes the file, and says for which boards it is."""
+    from kitrobot.boards.board_files import save_board_file
+
+    made = save_board_file(program, mission, target)
+    if as_json:
+        reasons = {str(board): str(error.message) for board, error in made.reasons}
+        print_data(json_text({"file": str(target), "bytes": len(made.data), "left_out": reasons}, 2) + "\n")
+    for board, error in made.reasons:
+        print_message(Sentence("it is not for {board}: {reason}", board, error.message))
+        print_message(f"  help: {error.help}")
+    print_message(Sentence("{file}: written for {boards}; copy it onto the drive of the board", target, made.boards))
 
 
 def _deploy_team(mission: Path, board: Sequence[str], *, replace: bool, fresh: bool, as_json: bool) -> None:

@@ -42,7 +42,7 @@ def open_studio(
         str | None,
         typer.Argument(
             metavar="FILE.krt | FILE.krtrace | FOLDER",
-            help="A mission, a picture that carries one (`.svg`, `.png`, `.pdf`), a recorded run, or a folder of"
+            help="A mission, a file with one inside (`.svg`, `.png`, `.pdf`, `.hex`), a recorded run, or a folder of"
             " missions.",
         ),
     ] = None,
@@ -72,14 +72,14 @@ def _existing(target: str, commands: list[str]) -> Path:
     path = find_mission(Path(target))
     if path.is_dir() or (path.is_file() and path.suffix.lower() == ".krt"):
         return path
-    from kitrobot.files.embedded_mission import is_picture, read_carried
+    from kitrobot.files.embedded_mission import may_carry_mission, read_carried
     from kitrobot.workspace.traces import is_trace, open_trace
 
     if path.is_file() and is_trace(path.name):
         # As with pictures: one that cannot be played is reported before a browser opens.
         open_trace(path).reader.close()
         return path
-    if path.is_file() and is_picture(path.name):
+    if path.is_file() and may_carry_mission(path.name):
         # A picture without a mission is reported here, before a browser opens.
         read_carried(path)
         return path

@@ -2,7 +2,8 @@
 
 SVG: the text of `<metadata id="kitrobot-mission">`. PNG: an iTXt chunk, uncompressed, with the keyword
 `kitrobot-mission`. PDF: studios up to 0.1 wrote PDF themselves, with the mission attached in the open, packed by zlib;
-such a file opens, as long as no other program has written it anew. Pictures come from anywhere: what is taken out is
+such a file opens, as long as no other program has written it anew. A `.hex` for a micro:bit: in records that boards
+skip, packed by zlib. Pictures come from anywhere: what is taken out is
 bounded, checked as far as the picture's own form can be checked, and read as carefully as any `.krt` after that. Left
 to others: reading the mission.
 """
@@ -16,6 +17,7 @@ from pathlib import Path, PurePath
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.disk import FileError, read_bytes
 from kitrobot.files.file_kinds import identify_file_kind
+from kitrobot.files.intel_hex import HexError, read_hex
 from kitrobot.text.sentences import Sentence
 from kitrobot.xml.decoder import MAX_BYTES
 from kitrobot.xml.expat_parser import DoctypeError, ExpatError, new_parser
@@ -23,6 +25,9 @@ from kitrobot.xml.expat_parser import DoctypeError, ExpatError, new_parser
 KEYWORD = "kitrobot-mission"
 PICTURES = (".pdf", ".png", ".svg")
 """Endings of the pictures that the studio makes, or made."""
+CARRIERS = (*PICTURES, ".hex")
+"""Endings of all files beside `.krt` that may have a mission inside."""
+_IN_HEX = KEYWORD.encode() + b"\0"
 _PNG = b"\x89PNG\r\n\x1a\n"
 _ATTACHED = re.compile(
     rb"<< /Type /EmbeddedFile /Subtype /application#2Fxml /Params << /Size [0-9]{1,10} >>"
@@ -46,6 +51,11 @@ def is_picture(name: str) -> bool:
     return PurePath(name).suffix.lower() in PICTURES
 
 
+def may_carry_mission(name: str) -> bool:
+    """Whether a file's name says that it is a picture, or a file for a board, which may have a mission inside."""
+    return PurePath(name).suffix.lower() in CARRIERS
+
+
 def carried_mission(data: bytes, name: str) -> tuple[bytes, str]:
     """The `.krt` inside a picture, and its name as a mission; what may be a mission comes back as it is.
 
@@ -58,14 +68,18 @@ def carried_mission(data: bytes, name: str) -> tuple[bytes, str]:
         found = _in_pdf(data, attached, name)
     elif _SVG.match(data[:_LOOKED_AT]):
         found = _in_svg(data, name)
+    elif data.startswith(b":") and PurePath(name).suffix.lower() == ".hex":
+        found = _in_hex(data, name)
     elif (kind := identify_file_kind(data)) is not None:
         raise CarriedError(Sentence("`{name}` is {kind}: there is no mission inside", name, kind), _OURS)
-    elif is_picture(name):
+    elif may_carry_mission(name):
         raise CarriedError(
             Sentence("`{name}` is not the picture that its name promises", name)
+            if is_picture(name) and data
+            else Sentence("`{name}` is not the hex file that its name promises", name)
             if data
             else Sentence("`{name}` is empty", name),
-            Sentence("get the picture once more, or open the mission's own `.krt`"),
+            Sentence("get the file once more, or open the mission's own `.krt`"),
         )
     else:
         return data, name
@@ -89,7 +103,7 @@ def read_carried(path: Path) -> bytes:
 def _damaged(name: str) -> CarriedError:
     return CarriedError(
         Sentence("`{name}` is damaged, so no mission can be taken out of it", name),
-        Sentence("get the picture once more"),
+        Sentence("get the file once more"),
     )
 
 
@@ -114,8 +128,11 @@ def _in_png(data: bytes, name: str) -> bytes:
 
 
 def _in_pdf(data: bytes, attached: re.Match[bytes], name: str) -> bytes:
+    return _unpacked(data[attached.end() : attached.end() + int(attached[1])], name)
+
+
+def _unpacked(packed: bytes, name: str) -> bytes:
     unpacker = zlib.decompressobj()
-    packed = data[attached.end() : attached.end() + int(attached[1])]
     try:
         mission = unpacker.decompress(packed, MAX_BYTES + 1)
     except zlib.error:
@@ -123,6 +140,24 @@ def _in_pdf(data: bytes, attached: re.Match[bytes], name: str) -> bytes:
     if not unpacker.eof or len(mission) > MAX_BYTES:
         raise _damaged(name)
     return mission
+
+
+def hex_record_of_mission(mission: bytes) -> bytes:
+    """What a hex file has in its records that boards skip, so that the mission is inside."""
+    return _IN_HEX + zlib.compress(mission, 9)
+
+
+def _in_hex(data: bytes, name: str) -> bytes:
+    try:
+        other = read_hex(data, name).other
+    except HexError as error:
+        raise CarriedError(error.message, error.help) from None
+    if not other.startswith(_IN_HEX):
+        raise CarriedError(
+            Sentence("`{name}` is a hex file without a mission of KitRobot inside", name),
+            Sentence("a `.hex` that KitRobot saved for a micro:bit has its mission inside; so has a `.krt`"),
+        )
+    return _unpacked(other[len(_IN_HEX) :], name)
 
 
 class _Metadata:

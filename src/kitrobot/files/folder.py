@@ -21,7 +21,7 @@ from pathlib import Path, PurePosixPath
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.disk import read_bytes, saving_in, sweep
-from kitrobot.files.embedded_mission import is_picture
+from kitrobot.files.embedded_mission import may_carry_mission
 from kitrobot.files.examples import examples_folder
 from kitrobot.files.listing import MissionEntry, entry_of, folders_below, found_below, listed_files
 from kitrobot.text.sentences import Sentence
@@ -187,7 +187,7 @@ class MissionFolder:
             MissionNameError: the name leads to no mission.
             FileError: the file cannot be read.
         """
-        ending = PurePosixPath(name).suffix.lower() if is_picture(name) else ENDING
+        ending = PurePosixPath(name).suffix.lower() if may_carry_mission(name) else ENDING
         data = read_bytes(self.path_of(name, ending))
         return data, revision_of(data)
 

@@ -23,6 +23,7 @@ from typing import Final
 
 from kitrobot import __version__
 from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.packaging.site_firmware import FIRMWARE_ARCHIVE, firmware_archive
 from kitrobot.packaging.site_packages import packages
 from kitrobot.packaging.site_packer import PACKED, packed
 from kitrobot.packaging.site_sources import in_library, without_texts
@@ -90,6 +91,7 @@ def make_site(
         if path.is_file() and path.suffix not in (".br", ".gz") and not path.name.startswith("."):
             files[path.relative_to(page).as_posix()] = path.read_bytes()
     files |= first
+    files[FIRMWARE_ARCHIVE] = firmware_archive()
     files["index.html"] = _index(index.read_text(encoding="utf-8"))
     told = {
         "kitrobot": __version__,

@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+import importlib.util
+import io
+import os
 import random
 import sys
+import zipfile
+from contextlib import suppress
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 from pyodide.ffi import can_run_sync, create_proxy, run_sync, to_js
+from pyodide.http import pyfetch
 
+import kitrobot
 from kitrobot.live.background import set_sleep_function
 from kitrobot.server.in_page_server import InPageServer, Socket, begin
 
@@ -22,6 +29,8 @@ class WorkerServer:
 
     async def fetch(self, method: str, address: str, headers: Any, body: Any) -> Any:
         """As `InPageServer.fetch`; the answer is an array: status, headers as pairs, bytes."""
+        if address.startswith("/api/board-file"):
+            await _fetch_firmware()
         made = await self._studio.fetch(method, address, headers.to_py(), bytes(body.to_py()))
         return to_js([made.status, [list(one) for one in made.headers], made.body])
 
@@ -57,6 +66,21 @@ async def begin_here(folder: str, in_class: bool) -> WorkerServer:
     set_sleep_function(run_sync if can_run_sync() else None)
     _without_ports()
     return WorkerServer(begin(Path(folder), in_class))
+
+
+async def _fetch_firmware() -> None:
+    """The site has the firmware of boards in a file of its own, which most pages never want.
+
+    Without it the request itself says that it is not there.
+    """
+    if importlib.util.find_spec("micropython_microbit_fs") is not None:
+        return
+    with suppress(OSError, zipfile.BadZipFile):
+        answer = await pyfetch(os.environ["KITROBOT_SITE"] + "microbit.zip")
+        if answer.ok:
+            with zipfile.ZipFile(io.BytesIO(await answer.bytes())) as archive:
+                archive.extractall(Path(kitrobot.__file__).parent.parent)
+        importlib.invalidate_caches()
 
 
 def _without_ports() -> None:

@@ -24,7 +24,7 @@ from kitrobot.compiler.text.lll_to_graph import lll_to_graph
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Place, Severity, Source, rule
 from kitrobot.diagnostics.read_files import expect_output
 from kitrobot.files.disk import read_text, saving_in, write_atomic
-from kitrobot.files.embedded_mission import is_picture
+from kitrobot.files.embedded_mission import is_picture, may_carry_mission
 from kitrobot.files.program_formats import Form, form_of
 from kitrobot.graph.model import Program
 from kitrobot.image.listing import disassemble
@@ -108,7 +108,14 @@ def convert(source: Path, target: Path, *, program: str | None = None, robot: st
             Sentence("`{target}` would be a picture, and pictures are drawn by the studio", target),
             Sentence("open the mission in the studio and choose Export in the menu File"),
         )
-    carried = is_picture(source.name)
+    if may_carry_mission(target.name):
+        raise ConversionError(
+            Sentence(
+                "`{target}` would be a file for a board, and that needs to know what the robot is built of", target
+            ),
+            Sentence("make it with {command}", f"`kitrobot deploy {source} --file {target}`"),
+        )
+    carried = may_carry_mission(source.name)
     form, wanted = Form.MISSION if carried else form_of(source), form_of(target)
     if form is wanted and not carried:
         raise ConversionError(

@@ -9,7 +9,7 @@ from kitrobot.compiler.compilation import compile_program, compile_text
 from kitrobot.compiler.target import robot_of
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Source
 from kitrobot.files.disk import read_text
-from kitrobot.files.embedded_mission import is_picture
+from kitrobot.files.embedded_mission import may_carry_mission
 from kitrobot.files.program_formats import Form, form_of
 from kitrobot.image.machine import Machine
 from kitrobot.image.model import Image
@@ -62,7 +62,7 @@ def load_executable(
         KitRobotError: a file cannot be read, the robot or program is not there, the image is damaged or not for the
         robot.
     """
-    form = Form.MISSION if is_picture(path.name) else form_of(path, FORMS)
+    form = Form.MISSION if may_carry_mission(path.name) else form_of(path, FORMS)
     if form is Form.MISSION:
         loaded = _mission(path, robot, program)
     elif robot is None:

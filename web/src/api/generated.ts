@@ -203,6 +203,21 @@ export interface BoardFault {
   tick: number;
 }
 
+/** The bytes of the `.hex` in base64, the boards that it is for, and why it is not for another one. */
+export interface BoardFile {
+  file: string;
+  boards: string;
+  reasons: string[];
+}
+
+/** Which program of a mission is to become a file, on which kit, "" as its robot's own file says. */
+export interface BoardFileAsk {
+  mission: Mission;
+  path: string;
+  program: string;
+  kit: string;
+}
+
 /** Let go of the robot; one that is held stops. */
 export interface BoardForgetRequest {
   type: "forget";

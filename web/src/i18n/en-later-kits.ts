@@ -18,6 +18,8 @@ export const KITS_EN = {
     "The program `{program}` is made for its parts. The next robot is taken for the same kit; each can be changed later.",
   "kits.own-help": "Wired as the file of the robot says, or not at all",
   "kits.runs": "Runs",
+  "board-file.saved": "`{name}` is saved, for {boards}.",
+  "board-file.copy": "Plug the board in and copy the file onto its drive `MICROBIT`: the program starts by itself.",
   "kits.lacks": "Lacks: {parts}",
   "boards.try": "Try the parts",
   "boards.try-help": "Tries each part by hand. It takes the place of the program that the robot has.",

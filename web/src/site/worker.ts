@@ -34,7 +34,7 @@ type Beginning = ToWorker & { kind: "begin" };
 /** What is imported before the folder of missions is there. */
 const MODULES = "kitrobot.server.in_worker";
 /** Requests that only ask, though they are no GET. */
-const ASKS = /^\/api\/(again|check|fragment|image|mission\/(difference|read|team|text)|text|exercise)/;
+const ASKS = /^\/api\/(again|board-file|check|fragment|image|mission\/(difference|read|team|text)|text|exercise)/;
 
 const scope = self as unknown as {
   postMessage: (message: FromWorker, transfer?: Transferable[]) => void;
@@ -49,7 +49,7 @@ async function load({ base, parts, unpacker, pupil }: Beginning): Promise<Studio
   void fetching.bytes(parts.packages).then(started, () => undefined);
   const home = homeOf(base, pupil);
   const folders = { HOME: home, KITROBOT_CONFIG: `${home}/.config/kitrobot`, KITROBOT_STATE: `${home}/state` };
-  const env = { ...folders, KITROBOT_COMPILE: "no", PYTHONDONTWRITEBYTECODE: "1" };
+  const env = { ...folders, KITROBOT_SITE: base, KITROBOT_COMPILE: "no", PYTHONDONTWRITEBYTECODE: "1" };
   const kept = new KeptMemory(base, parts.version);
   const enter = async (memory: Memory | null) => {
     try {

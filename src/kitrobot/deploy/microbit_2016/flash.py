@@ -166,13 +166,21 @@ class Flash:
         start = head(sign, count, whole=False)
         content = (start + content[len(start) :]).ljust(count * CHUNK, b"\x01")
         self._write(at, content)
-        if self._read(at, len(content)) != content:
+        if self.read(at, len(content)) != content:
             raise BoardError(
                 Sentence("what was written into the board's flash cannot be read back"), Sentence("send it once more")
             )
         self._write(at, head(sign, count, whole=True)[:4])
         self.area.firsts[place : place + count] = content[::CHUNK]
         return at
+
+    def read(self, at: int, size: int) -> bytes:
+        """So many bytes of the flash."""
+        found = b""
+        while len(found) < size:
+            found += _memory(self.board, at + len(found), 1, min(_AT_ONCE, size - len(found)))
+            self.board.count(_AT_ONCE)
+        return found
 
     def _free(self, count: int) -> int:
         """The place where a run of unused pieces begins; pages without anything in them are erased for it."""
@@ -184,13 +192,6 @@ class Flash:
                 if all(first == _UNUSED for first in firsts[place : place + count]):
                     return place
         raise no_room()
-
-    def _read(self, at: int, size: int) -> bytes:
-        found = b""
-        while len(found) < size:
-            found += _memory(self.board, at + len(found), 1, min(_AT_ONCE, size - len(found)))
-            self.board.count(_AT_ONCE)
-        return found
 
     def _write(self, at: int, words: bytes) -> None:
         self.board.write_words(at, words)

@@ -1,16 +1,21 @@
-"""The request for a program's image, for a download."""
+"""The requests for a program's image, and for a file that a board takes, for a download."""
 
 from __future__ import annotations
 
 from base64 import b64encode
 
+from kitrobot.boards.board_files import make_board_file
+from kitrobot.boards.programs import board_program
 from kitrobot.compiler.target import robot_of
 from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.image.listing import disassemble
+from kitrobot.mission.writer import write_mission
 from kitrobot.server.routes.api_router import ThisStudio, api_router
 from kitrobot.text.sentences import Sentence
+from kitrobot.wire.board_file import BoardFileAskShape, BoardFileShape
 from kitrobot.wire.image import ImageAskShape, ImageShape
 from kitrobot.wire.mission import mission_from_shape
+from kitrobot.workspace.kit_files import kit_named
 
 image_routes = api_router()
 
@@ -42,6 +47,18 @@ def image(studio: ThisStudio, wanted: ImageAskShape) -> ImageShape:
         )
     data = compiled.image.to_bytes()
     return ImageShape(image=b64encode(data).decode(), listing=disassemble(compiled.image))
+
+
+@image_routes.post("/board-file")
+def board_file(studio: ThisStudio, wanted: BoardFileAskShape) -> BoardFileShape:
+    """Compiles one program of a mission into a file that is copied onto the drive of a micro:bit."""
+    mission = mission_from_shape(wanted.mission)
+    opened = studio.open(mission, wanted.path)
+    folder = studio.folder.folders_of(wanted.path)[0]
+    kit = kit_named(wanted.kit, folder) if wanted.kit else None
+    made = make_board_file(board_program(opened, wanted.program, folder, kit), write_mission(mission))
+    reasons = [Sentence("it is not for {board}: {reason}", board, error.message) for board, error in made.reasons]
+    return BoardFileShape(file=b64encode(made.data).decode(), boards=made.boards, reasons=reasons)
 
 
 def _counted(errors: int) -> str:

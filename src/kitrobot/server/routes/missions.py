@@ -8,7 +8,7 @@ from fastapi import Depends, Query, Request, Response
 
 import kitrobot
 from kitrobot.diagnostics.problems import ProblemsError
-from kitrobot.files.embedded_mission import carried_mission, is_picture
+from kitrobot.files.embedded_mission import carried_mission, may_carry_mission
 from kitrobot.files.folder import revision_of
 from kitrobot.live.studio import Studio
 from kitrobot.mission.writer import save, write_mission
@@ -85,7 +85,7 @@ def mission_preview(studio: ThisStudio, path: Name) -> RunPreviewShape:
 def mission(studio: ThisStudio, path: Name) -> MissionFileShape:
     """A mission opened. One that a picture carries has no file of its own yet: its `path` is ""."""
     data, revision = studio.folder.read(path)
-    if is_picture(path):
+    if may_carry_mission(path):
         data, name = carried_mission(data, path)
         return mission_file(studio, _read(studio, data, name, ""), "", "")
     data, _ = carried_mission(data, path)

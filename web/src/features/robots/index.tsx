@@ -9,7 +9,7 @@ import type { MenuEntries } from "../../session/menu-table";
 import { Icon } from "../../theme";
 import { later } from "../../ui/later";
 import { menuItem } from "../../ui/menu-model";
-import { runOnRobots } from "./commands";
+import { runOnRobots, saveFileForBoard } from "./commands";
 import { showRobots, useRobotsPanel } from "./state";
 
 const Robots = later(
@@ -71,6 +71,7 @@ function useMenu(): MenuEntries {
     ],
     robots: [
       menuItem("robots-run", t("boards.run"), keyFor.page(KEYS.runOnRobot), runOnRobots),
+      menuItem("robots-file", t("boards.file"), null, saveFileForBoard),
       menuItem("robots-stop", t("boards.stop-all"), keyFor.page(STOP_KEY), stopEverything, running === 0),
     ],
   };
@@ -81,6 +82,7 @@ export const robots: Feature = {
   panels: { arena: RobotsOrArena },
   slots: { tools: RunOnRobots },
   keys: KEYS,
+  words: { "robots-file": "search.board-file" },
   useMenu,
   useOn: () => useRobotsPanel(({ running }) => running > 0),
   stop: () => useRobotsPanel.getState().stopAll?.(),
