@@ -18,6 +18,10 @@ LONG_ENOUGH = 2
 class RunMonitor(Protocol):
     """Monitors a run of the simulator for a violation of a property."""
 
+    @property
+    def is_kept(self) -> bool:
+        """Whether nothing that may come breaks it."""
+
     def after_step(self) -> bool:
         """Whether the step that was just made broke it."""
 
@@ -27,6 +31,8 @@ class RunMonitor(Protocol):
 
 class _InvariantMonitor:
     """Reports a violation when a condition holds once."""
+
+    is_kept = False
 
     def __init__(self, test: Callable[[], bool]) -> None:
         self._test = test
@@ -40,6 +46,8 @@ class _InvariantMonitor:
 
 class _WaitMonitor:
     """Reports a violation when a condition holds up to the end of the run, and long enough."""
+
+    is_kept = False
 
     def __init__(self, run: Simulation, test: Callable[[], bool]) -> None:
         self._run = run

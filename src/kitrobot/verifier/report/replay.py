@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import chain, combinations
+from typing import NamedTuple
 
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.tables import columns as c
@@ -112,8 +113,17 @@ def _moments(
         )
 
 
-def violation_tick(one: Property, run: Simulation, faults: Sequence[InjectedFault], stop: Callable[[], bool]) -> int:
-    """The step in which a run broke the property; -1 if it did not, or the search was stopped.
+class RunJudgement(NamedTuple):
+    """Whether a run breaks a property, and the step at which that is known; None: the search was stopped there."""
+
+    is_broken: bool | None
+    tick: int
+
+
+def judge_run(
+    one: Property, run: Simulation, faults: Sequence[InjectedFault], stop: Callable[[], bool]
+) -> RunJudgement:
+    """Judges a run by a property; the run goes on until that is known, and no further.
 
     Args:
         one: the property.
@@ -129,7 +139,7 @@ def violation_tick(one: Property, run: Simulation, faults: Sequence[InjectedFaul
         if run.tick >= next_poll:
             next_poll = run.tick + _CHUNK
             if stop():
-                return -1
+                return RunJudgement(None, run.tick)
         if left and run.tick >= left[0].tick:
             fault = left.pop(0)
             run.inject_fault(fault.agent, fault.kind)
@@ -139,11 +149,19 @@ def violation_tick(one: Property, run: Simulation, faults: Sequence[InjectedFaul
         run.advance(min(chunk, left[0].tick - run.tick) if left else chunk)
         found = _seen(one, run) if monitor is None else run.tick if monitor.after_step() else -1
         if found >= 0:
-            return found
+            return RunJudgement(True, found)
+        if monitor is not None and monitor.is_kept:
+            return RunJudgement(False, run.tick)
     if monitor is not None:
-        return run.tick if monitor.at_end() else -1
+        return RunJudgement(monitor.at_end(), run.tick)
     has_said_why = one.spares_teams and gave_up(run.state.team)
-    return run.tick if run.outcome in one.ends_as and not has_said_why else -1
+    return RunJudgement(run.outcome in one.ends_as and not has_said_why, run.tick)
+
+
+def violation_tick(one: Property, run: Simulation, faults: Sequence[InjectedFault], stop: Callable[[], bool]) -> int:
+    """The step in which a run broke the property; -1 if it did not, or the search was stopped. See `judge_run`."""
+    judged = judge_run(one, run, faults, stop)
+    return judged.tick if judged.is_broken else -1
 
 
 def _seen(one: Property, run: Simulation) -> int:
