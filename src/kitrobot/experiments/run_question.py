@@ -43,6 +43,42 @@ class RunAnswer:
     sentence: str
 
 
+@dataclass(frozen=True, slots=True)
+class RunProperty:
+    """What a run is monitored for.
+
+    Attributes:
+        property: what is monitored.
+        words: what is asked.
+        is_reversed: whether a run that breaks the property is one in which what is asked holds, as of outcomes.
+    """
+
+    property: Property
+    words: Sentence
+    is_reversed: bool = False
+
+
+def find_run_property(question: PropertyText, run: Simulation) -> RunProperty:
+    """The property of a question, as runs of a mission are judged by it; `run` is one of them.
+
+    Raises:
+        QuestionError: the mission has no such property.
+        PropertyError: a condition cannot be understood, or names something that does not exist.
+    """
+    asked = question.asked or next((one for one in run.mission.properties if one.name == question.name), None)
+    if asked is not None:
+        found = RunProperty(build_run_property(asked, run), asked.words)
+    elif question.name in OUTCOMES:
+        words = Sentence("a run ends with the outcome {outcome}", question.name)
+        found = RunProperty(Property(question.name, words, ends_as=(question.name,)), words, True)
+    else:
+        ready = find_ready_property(question.name, run)
+        found = RunProperty(ready, ready.sentence)
+    if question.within_s is None:
+        return found
+    return replace(found, words=Sentence("{question}, within {seconds} s", found.words, f"{question.within_s:g}"))
+
+
 class RunJudge:
     """Answers a question for the runs of a mission, one seed after the other.
 
@@ -60,22 +96,8 @@ class RunJudge:
         run.keep_beginning()
         self.robots = len(run.members)
         self.tick_ms = run.tick_ms
-        self._outcome = ""
-        self._is_reversed = False
-        asked = question.asked or next((one for one in run.mission.properties if one.name == question.name), None)
-        if asked is not None:
-            self._property = build_run_property(asked, run)
-            self.words: Sentence = asked.words
-        elif question.name in OUTCOMES:
-            self._outcome = question.name
-            self._property = Property(question.name, Sentence(""), ends_as=(question.name,))
-            self._is_reversed = True
-            self.words = Sentence("a run ends with the outcome {outcome}", question.name)
-        else:
-            self._property = _ready_property(question.name, run)
-            self.words = self._property.sentence
-        if question.within_s is not None:
-            self.words = Sentence("{question}, within {seconds} s", self.words, f"{question.within_s:g}")
+        self._property = find_run_property(question, run)
+        self.words: Sentence = self._property.words
 
     def answer(
         self,
@@ -88,10 +110,10 @@ class RunJudge:
         run = self._run
         run.begin_again(seed)
         run.stays_plain = is_plain
-        is_broken, tick = judge_run(self._property, run, faults, stop)
+        is_broken, tick = judge_run(self._property.property, run, faults, stop)
         if is_broken is None:
             return None
-        return RunAnswer(seed, is_broken == self._is_reversed, tick, run.sentence)
+        return RunAnswer(seed, is_broken == self._property.is_reversed, tick, run.sentence)
 
 
 def _with_time(spec: RunSpec, question: PropertyText) -> RunSpec:
@@ -104,12 +126,25 @@ def _with_time(spec: RunSpec, question: PropertyText) -> RunSpec:
     return replace(spec, seconds=max(spec.seconds, min(asked.seconds + _BEHIND_S, MAX_SECONDS)))
 
 
-def _ready_property(name: str, run: Simulation) -> Property:
-    """The property of that name that fits the mission."""
+def ready_properties_of(run: Simulation) -> list[Property]:
+    """The ready properties that fit the mission of a run, as runs are judged by them.
+
+    Raises:
+        AbstractionError: the mission has no model, which they are made from.
+    """
+    return ready_properties(Model(run, abstract_run(run), 0, Timing.LOCKSTEP))
+
+
+def find_ready_property(name: str, run: Simulation) -> Property:
+    """The ready property of that name that fits the mission of a run.
+
+    Raises:
+        QuestionError: there is none.
+    """
     own = [one.name for one in run.mission.properties]
     found: list[Property] = []
     try:
-        found = ready_properties(Model(run, abstract_run(run), 0, Timing.LOCKSTEP))
+        found = ready_properties_of(run)
     except AbstractionError as error:
         if is_ready(name):
             raise QuestionError(

@@ -211,8 +211,8 @@ def _property(element: Element) -> AskedProperty | None:
     order = VisitOrder(element.choice("order"))
     if time == "within" and seconds == 0 and not element.faulty:
         element.bad_value(time, Sentence("a number of seconds larger than 0"))
-    texts = [element.optional(word) for word in conditions]
-    return None if element.faulty else AskedProperty(name, form, *[*texts, ""][:2], seconds, times, order)
+    first, second = [*(element.optional(word) for word in conditions), ""][:2]
+    return None if element.faulty else AskedProperty(name, form, first, second, seconds, times, order)
 
 
 def _is_shape(shape: _Shape, found: tuple[str, ...]) -> bool:
@@ -221,8 +221,7 @@ def _is_shape(shape: _Shape, found: tuple[str, ...]) -> bool:
 
 
 _SECONDS = decimal(0.0, LONGEST_S)
-_WORDS = ("never", "while", "after", "eventually", "stays", "until", "holds", "for", "at-most", "times", "first")
-_WORDS += ("before", "again", "visit", "order", "within")
+_WORDS = tuple(dict.fromkeys(word for shape in _SHAPES.values() for words in shape for word in words))
 PROPERTIES: dict[str, Tag] = {
     "property": Tag(
         _property,

@@ -7,7 +7,8 @@ agents' last tick.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 
 from kitrobot.mission.model import Team
@@ -36,20 +37,21 @@ from kitrobot.verifier.properties.property_automaton import (
 from kitrobot.verifier.properties.ready_monitors import waited_long_enough
 from kitrobot.verifier.properties.run_conditions import (
     AgentValuation,
-    RunConditions,
     declared_of,
     members_in_set,
+    simulated_conditions,
     team_of,
 )
 
 
 def property_variables(run: Simulation, properties: Iterable[AskedProperty]) -> set[str]:
     """The names of the variables in properties; see `abstract_run`."""
-    team = team_of(run)
     found: set[str] = set()
-    for _, conditions, _ in _understood(properties, team, declared_of(run)):
-        for one in conditions:
-            found.update(*one.names.values())
+    for one in properties:
+        # One that cannot be understood names nothing; whoever builds it says why.
+        with suppress(PropertyError):
+            for condition in parse_conditions(one, team_of(run), declared_of(run)):
+                found.update(*condition.names.values())
     return found
 
 
@@ -57,24 +59,21 @@ def build_custom_properties(model: Model, properties: Sequence[AskedProperty]) -
     """Builds the custom properties of a mission; also returns why some of them are left out."""
     found: list[Property] = []
     left_out: list[Sentence] = []
-    for one, conditions, error in _understood(properties, team_of(model.run), declared_of(model.run)):
+    for one in properties:
         try:
-            if error is not None:
-                raise error
-            found.append(_property(model, one, conditions))
+            found.append(build_custom_property(model, one))
         except PropertyError as wrong:
             left_out.append(Sentence("the property {name} is left out: {reason}", one.name, wrong.message))
     return found, left_out
 
 
-def _understood(
-    properties: Iterable[AskedProperty], team: Sequence[Member], declared: Team | None
-) -> Iterator[tuple[AskedProperty, list[AgentCondition], PropertyError | None]]:
-    for one in properties:
-        try:
-            yield one, parse_conditions(one, team, declared), None
-        except PropertyError as error:
-            yield one, [], error
+def build_custom_property(model: Model, one: AskedProperty) -> Property:
+    """Builds a custom property.
+
+    Raises:
+        PropertyError: a check cannot decide it, a condition cannot be parsed, or names something that does not exist.
+    """
+    return _property(model, one, parse_conditions(one, team_of(model.run), declared_of(model.run)))
 
 
 class _ModelCondition:
@@ -254,7 +253,7 @@ class _ConditionMonitor:
     def __init__(self, one: AskedProperty, conditions: Sequence[AgentCondition], run: Simulation) -> None:
         self._conditions = conditions
         self._run = run
-        self._decided = RunConditions(conditions, run)
+        self._decided = simulated_conditions(conditions, run)
         self._automaton = PropertyAutomaton(one, run.tick_ms)
 
     @property
@@ -265,8 +264,8 @@ class _ConditionMonitor:
         truths = [self._decided.holds(condition) for condition in self._conditions]
         return self._automaton.read(self._run.tick, truths) is Standing.BROKEN
 
-    def at_end(self) -> bool:
+    def at_end(self, outcome: str) -> bool:
         automaton = self._automaton
-        if not automaton.is_broken_by_end() or (automaton.deadline is not None and self._run.outcome == "time"):
+        if not automaton.is_broken_by_end() or (automaton.deadline is not None and outcome == "time"):
             return False
-        return waited_long_enough(self._run, automaton.waits_since)
+        return waited_long_enough(outcome, self._run.tick, automaton.waits_since)

@@ -27,9 +27,13 @@ def find_broken_history(space: StateSpace, history: History) -> list[int]:
     space.interrupted_by = space.interrupted_by or space.interruption()
     if not len(space) or space.interrupted_by:
         return []
-    marks = [mark_states(space, condition)[0] for condition in history.conditions]
-    if space.interrupted_by:
-        return []
+    marks = []
+    for condition in history.conditions:
+        marks.append(mark_states(space, condition)[0])
+        if space.interruption():
+            # Of the rest of the states nothing is known.
+            space.interrupted_by = space.interruption()
+            return []
     return _Search(space, history, marks).find()
 
 

@@ -120,6 +120,37 @@ class RunJudgement(NamedTuple):
     tick: int
 
 
+class RunMonitoring:
+    """Monitors a run for a property, by its monitor or by the events and the outcome of the run.
+
+    The run is before its first step. Events are kept of the last call of `advance` only, so `breaks` comes after each.
+    """
+
+    def __init__(self, one: Property, run: Simulation) -> None:
+        self._property, self._run = one, run
+        self._monitor = one.monitor(run) if one.monitor is not None else None
+        self.steps = 1 if self._monitor is not None else _CHUNK if one.seen_as else _LONG_CHUNK
+        """So many steps may be made at once."""
+
+    @property
+    def is_kept(self) -> bool:
+        """Whether nothing that may come breaks it."""
+        return self._monitor is not None and self._monitor.is_kept
+
+    def violation(self) -> int:
+        """The step in which the last steps broke it; -1 if they did not."""
+        if self._monitor is None:
+            return _seen(self._property, self._run)
+        return self._run.tick if self._monitor.after_step() else -1
+
+    def is_broken_by_end(self, outcome: str) -> bool:
+        """Whether the run broke it if it ends here with this outcome."""
+        if self._monitor is not None:
+            return self._monitor.at_end(outcome)
+        has_said_why = self._property.spares_teams and gave_up(self._run.state.team)
+        return outcome in self._property.ends_as and not has_said_why
+
+
 def judge_run(
     one: Property, run: Simulation, faults: Sequence[InjectedFault], stop: Callable[[], bool]
 ) -> RunJudgement:
@@ -132,8 +163,7 @@ def judge_run(
         stop: polled now and then; True stops the search.
     """
     left = list(faults)
-    monitor = one.monitor(run) if one.monitor is not None else None
-    chunk = 1 if monitor is not None else _CHUNK if one.seen_as else _LONG_CHUNK
+    monitoring = RunMonitoring(one, run)
     next_poll = 0
     while run.outcome is None or left:
         if run.tick >= next_poll:
@@ -146,16 +176,14 @@ def judge_run(
             continue
         if run.outcome is not None:
             break
-        run.advance(min(chunk, left[0].tick - run.tick) if left else chunk)
-        found = _seen(one, run) if monitor is None else run.tick if monitor.after_step() else -1
+        run.advance(min(monitoring.steps, left[0].tick - run.tick) if left else monitoring.steps)
+        found = monitoring.violation()
         if found >= 0:
             return RunJudgement(True, found)
-        if monitor is not None and monitor.is_kept:
+        if monitoring.is_kept:
             return RunJudgement(False, run.tick)
-    if monitor is not None:
-        return RunJudgement(monitor.at_end(), run.tick)
-    has_said_why = one.spares_teams and gave_up(run.state.team)
-    return RunJudgement(run.outcome in one.ends_as and not has_said_why, run.tick)
+    assert run.outcome is not None, "the run has ended"
+    return RunJudgement(monitoring.is_broken_by_end(run.outcome), run.tick)
 
 
 def violation_tick(one: Property, run: Simulation, faults: Sequence[InjectedFault], stop: Callable[[], bool]) -> int:
