@@ -6,6 +6,7 @@ one form, so that their words can be compared.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -13,8 +14,9 @@ from kitrobot.checking.verification import Finding, Verification, VerificationEr
 from kitrobot.experiments.probability import ProbabilityOptions, find_probability
 from kitrobot.experiments.run_question import OUTCOMES, RunJudge
 from kitrobot.judges.failure_judge import FailureOptions, judge_failures
-from kitrobot.judges.judgement import Judge, Judgement, Ruling
+from kitrobot.judges.judgement import Judge, JudgeError, Judgement, Ruling
 from kitrobot.mission.property_text import PropertyText, read_property
+from kitrobot.text.phrases import listed, shown
 from kitrobot.text.sentences import Sentence
 from kitrobot.verifier.model.programs import AbstractionError
 from kitrobot.verifier.model.timing import Timing
@@ -48,6 +50,33 @@ class JudgeOptions:
     runs: int = USUAL_RUNS
     failures: FailureOptions = field(default_factory=FailureOptions)
     stop: Callable[[], bool] = lambda: False
+
+
+def judge_options(
+    judges: Sequence[str], timings: Sequence[str], check_seconds: float, runs: int, moments: int, jobs: int | None
+) -> JudgeOptions:
+    """The options by the names of judges and timings, each known.
+
+    Raises:
+        JudgeError: a name is not known, or a number makes no sense.
+    """
+    for names, known in (
+        (judges, [one.value for one in MISSION_JUDGES]),
+        (timings, [one.value for one in Timing]),
+    ):
+        unknown = next((name for name in names if name not in known), None)
+        if unknown is not None:
+            message = Sentence("expected one of {known}, found {found}", listed(known), shown(str(unknown)))
+            raise JudgeError(message)
+    if not (math.isfinite(check_seconds) and check_seconds > 0):
+        raise JudgeError(Sentence("a check takes more than 0 seconds"))
+    return JudgeOptions(
+        tuple(one for one in MISSION_JUDGES if one.value in judges),
+        tuple(one for one in Timing if one.value in timings),
+        check_seconds,
+        runs=runs,
+        failures=FailureOptions(moments, jobs),
+    )
 
 
 def judge_mission(prepared: PreparedRun, questions: Sequence[str], options: JudgeOptions) -> Iterator[Judgement]:
