@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from kitrobot.api import (
         compile,
         compile_program,
+        judge,
         open,
         open_mission,
         parse,
@@ -69,6 +70,7 @@ else:
         "api": (
             "compile",
             "compile_program",
+            "judge",
             "open",
             "open_mission",
             "parse",
@@ -197,6 +199,7 @@ __all__ = [
     "compile",
     "compile_program",
     "execute",
+    "judge",
     "open",
     "open_mission",
     "parse",

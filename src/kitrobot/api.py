@@ -36,6 +36,7 @@ from kitrobot.workspace.traces import OpenTrace
 
 if TYPE_CHECKING:
     from kitrobot.experiments.probability import Probability, Progress
+    from kitrobot.judges.judgement import Judgement
 
 UNSAVED = "mission.krt"
 """What messages call a mission that is no file."""
@@ -48,6 +49,19 @@ class RunLimits(TypedDict, total=False):
     runs: int | None
     jobs: int | None
     progress: Progress | None
+
+
+class JudgeLimits(TypedDict, total=False):
+    """What limits the judges of `judge`."""
+
+    seed: int
+    seconds: float
+    fail_rate: float
+    runs: int
+    moments: int
+    check_seconds: float
+    timings: Sequence[str]
+    jobs: int | None
 
 
 def open_mission(mission: str | PathLike[str] | Mission, *, folder: str | PathLike[str] = ".") -> OpenMission:
@@ -175,6 +189,59 @@ def probability(
     prepared = opened.prepare(RunOptions(seed, limits.get("seconds", 600.0), fail_rate))
     chosen = ProbabilityOptions(precision, confidence, at_least, limits.get("runs"), limits.get("jobs"))
     return find_probability(prepared, question, chosen, limits.get("progress"))
+
+
+def judge(
+    subject: str | PathLike[str] | Mission | OpenMission,
+    *questions: str,
+    by: Sequence[str] = ("check", "run", "runs", "failures"),
+    mission: str | PathLike[str] | Mission | OpenMission | None = None,
+    **limits: Unpack[JudgeLimits],
+) -> list[Judgement]:
+    """What judges say of properties: of a mission, or of a recording of a run, of real robots or of a fleet.
+
+    Args:
+        subject: a mission, as of `open_mission` or what that gave; or the path of a `.krtrace`, whose judge is the
+            recording itself.
+        questions: properties as text, such as `never any carrier (Collision.IsPressed())`, or names of those of the
+            mission; none for all of its own, of a recording also the ready ones.
+        by: the judges of a mission: `check` every order of events, `run` one run, `runs` many, `failures` each robot
+            failing at each of many moments.
+        mission: of a recording, the mission whose properties are meant; None: the one in it.
+        limits: `seed` of the first run (1); `seconds`, simulated ones of a run (600); `fail_rate` (0); `runs`, how many
+            (100); `moments`, at which robots fail (20); `check_seconds`, of one property (60); `timings`, of the check
+            (`lockstep`); `jobs`, so many processes (1; with several, a script needs `if __name__ == "__main__":`).
+
+    Raises:
+        ProblemsError: the mission has errors.
+        KitRobotError: a question cannot be understood, a number makes no sense, or the recording cannot be read.
+
+    Examples:
+        >>> import kitrobot
+        >>> [said] = kitrobot.judge("transport", "at most 3 times any carrier-1 (Cargo.IsPressed())", by=["run"])
+        >>> said.ruling.value, said.seconds
+        ('broken', 45.08)
+    """
+    from kitrobot.judges.mission_judges import judge_mission, judge_options
+    from kitrobot.judges.recording_judge import judge_recording
+    from kitrobot.workspace.mission_run import RunOptions
+    from kitrobot.workspace.traces import is_trace
+
+    def opened(one: str | PathLike[str] | Mission | OpenMission) -> OpenMission:
+        return one if isinstance(one, OpenMission) else open_mission(one)
+
+    if isinstance(subject, (str, PathLike)) and is_trace(fspath(subject)):
+        return judge_recording(Path(subject), questions, None if mission is None else opened(mission))
+    seed, seconds = limits.get("seed", DEFAULT_SEED), limits.get("seconds", 600.0)
+    prepared = opened(subject).prepare(RunOptions(seed, seconds, limits.get("fail_rate", 0.0)))
+    chosen = judge_options(
+        by,
+        limits.get("timings", ("lockstep",)),
+        limits.get("check_seconds", 60.0),
+        limits.get("runs", 100),
+        *(limits.get("moments", 20), limits.get("jobs", 1)),
+    )
+    return list(judge_mission(prepared, questions, chosen))
 
 
 def parse(text: str, name: str = "program.lll") -> ParseResult:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import pickle
 from pathlib import Path
 
@@ -10,40 +9,64 @@ import pytest
 
 from kitrobot import OpenMission, RunOptions
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.experiments.run_question import QuestionError, RunAnswer, RunJudge, read_question
-from kitrobot.mission.property_forms import Form
+from kitrobot.experiments.run_question import RunAnswer, RunJudge
+from kitrobot.mission.property_forms import AskedProperty, Form, VisitOrder
+from kitrobot.mission.property_text import QuestionError, read_property
 from kitrobot.workspace.mission_loader import open_mission
 
 
 def answer(opened: OpenMission, question: str, seed: int = 1, fail_rate: float = 0.0) -> RunAnswer:
     spec = opened.prepare(RunOptions(seed, 30.0, fail_rate)).spec
-    found = RunJudge(read_question(question), spec).answer(seed, lambda: False)
+    found = RunJudge(read_property(question), spec).answer(seed, lambda: False)
     assert found is not None
     return found
 
 
+A, B, C = "any a (B.C())", "all b (C.D())", "any {before, until} (D.E())"
+
+
 @pytest.mark.parametrize(
-    ("text", "form", "conditions", "within"),
+    ("text", "asked", "within"),
     [
-        ("never any a (B.C())", Form.NEVER, ("any a (B.C())", ""), None),
-        ("never any a (B.C()) within 12", Form.NEVER, ("any a (B.C())", ""), 12),
-        ("eventually  any a\n(B.C()) within 1.5s", Form.EVENTUALLY, ("any a (B.C())", ""), 1.5),
-        ("any a (B.C()) within 3 s", Form.EVENTUALLY, ("any a (B.C())", ""), 3),
-        ("after any a (B.C()) eventually all b (C.D())", Form.AFTER, ("any a (B.C())", "all b (C.D())"), None),
-        ("stays any a (B.C()) until any a (D.E()) within 9", Form.STAYS, ("any a (B.C())", "any a (D.E())"), 9),
+        (f"never {A}", AskedProperty("asked", Form.NEVER, A), None),
+        (f"never {A} within 12", AskedProperty("asked", Form.NEVER, A), 12),
+        (f"never {A} while {C}", AskedProperty("asked", Form.NEVER, A, C), None),
+        ("eventually  any a\n(B.C()) within 1.5s", AskedProperty("asked", Form.EVENTUALLY, A, seconds=1.5), None),
+        (f"{A} within 3 s", AskedProperty("asked", Form.EVENTUALLY, A, seconds=3), None),
+        (f"after {A} eventually {B}", AskedProperty("asked", Form.AFTER, A, B), None),
+        (f"after {A} eventually {B} within 5", AskedProperty("asked", Form.AFTER, A, B, 5), None),
+        (f"stays {A} until {C} within 9", AskedProperty("asked", Form.STAYS, A, C), 9),
+        (f"holds {A} for 2 s", AskedProperty("asked", Form.HOLDS, A, seconds=2), None),
+        (f"at most 3 times {A}", AskedProperty("asked", Form.AT_MOST, A, times=3), None),
+        (f"{A} before {C}", AskedProperty("asked", Form.BEFORE, A, C), None),
+        (
+            "any before (B.C()) before any until (C.D())",
+            AskedProperty("asked", Form.BEFORE, "any before (B.C())", "any until (C.D())"),
+            None,
+        ),
+        (f"again and again {A}; {B} within 7", AskedProperty("asked", Form.AGAIN, f"{A}; {B}", seconds=7), None),
+        (f"visit {A}; {B}", AskedProperty("asked", Form.VISIT, f"{A}; {B}"), None),
+        (
+            f"visit {A}; {B} in this order",
+            AskedProperty("asked", Form.VISIT, f"{A}; {B}", order=VisitOrder.GIVEN),
+            None,
+        ),
+        (
+            f"visit {A}; {B} in turn within 8",
+            AskedProperty("asked", Form.VISIT, f"{A}; {B}", seconds=8, order=VisitOrder.TURN),
+            None,
+        ),
     ],
 )
 def test_a_form_of_a_property_is_read_with_its_conditions_and_its_time(
-    text: str, form: Form, conditions: tuple[str, str], within: float | None
+    text: str, asked: AskedProperty, within: float | None
 ) -> None:
-    found = read_question(text)
-    assert found.asked is not None
-    assert (found.asked.form, found.asked.first, found.asked.second) == (form, *conditions)
-    assert (found.name, found.within_s) == ("", within)
+    found = read_property(text)
+    assert (found.name, found.asked, found.within_s) == ("", asked, within)
 
 
 def test_a_name_is_read_with_its_time() -> None:
-    found = read_question(" delivered  within 120 ")
+    found = read_property(" delivered  within 120 ")
     assert (found.text, found.name, found.asked, found.within_s) == ("delivered within 120", "delivered", None, 120)
 
 
@@ -57,12 +80,25 @@ def test_a_name_is_read_with_its_time() -> None:
         ("done within 0", "found “0”"),
         ("done within nan", "found “nan”"),
         ("done within inf", "found “inf”"),
+        (f"holds {A}", "expected `for` behind `holds`"),
+        (f"holds {A} for 2 within 3", "`holds` has two times"),
+        (f"after {A}", "expected `eventually` behind `after`"),
+        (f"stays {A}", "expected `until` behind `stays`"),
+        (f"{A} before", "expected a condition behind `before`, at character 15"),
+        (f"after eventually {A}", "expected a condition before `eventually`, at character 7"),
+        (f"at most 3 {A}", "expected `times` behind `at most`"),
+        (f"at most many times {A}", "found “many” at character 9"),
+        (f"at most 9999999 times {A}", "found “9999999” at character 9"),
+        (f"again {A}", "expected `and again` behind `again`"),
+        (f"visit {A}; ; {B}", "condition 2 of the list is empty"),
+        (f"visit {A}; {B}; {A} in turn", "condition 3 of the list, “any a .B.C...”, is there already"),
+        (f"visit {'; '.join(f'any a (B.C({n}))' for n in range(17))}", "at most 16 conditions in a list, found 17"),
         ("never " + "x" * 5000, "expected at most 2100 characters in a question, found 5006"),
     ],
 )
 def test_a_text_that_is_no_question_is_an_error_with_a_way_out(text: str, sentence: str) -> None:
     with pytest.raises(QuestionError, match=sentence) as raised:
-        read_question(text)
+        read_property(text)
     assert raised.value.help
 
 
@@ -86,6 +122,20 @@ def test_a_text_that_is_no_question_is_an_error_with_a_way_out(text: str, senten
         ("after any ada (Count.EqualTo(1)) eventually any ada (Count.EqualTo(2)) within 0.5", False),
         ("after any ada (Count.EqualTo(1)) eventually any ada (Count.EqualTo(7)) within 100", False),
         ("stays any ada (Count.EqualTo(1)) until any ada (Count.EqualTo(2))", True),
+        ("eventually any ada (Count.EqualTo(7)) within 100", False),
+        ("never any ada (Count.EqualTo(1)) while any ada (Count.GreaterThan(0))", False),
+        ("holds any ada (Count.EqualTo(1)) for 0.9", True),
+        ("holds any ada (Count.EqualTo(1)) for 1.5", False),
+        ("at most 1 times any ada (Count.EqualTo(1))", True),
+        ("at most 0 times any ada (Count.EqualTo(1))", False),
+        ("any ada (Count.EqualTo(1)) before any ada (Count.EqualTo(2))", True),
+        ("any ada (Count.EqualTo(2)) before any ada (Count.EqualTo(1))", False),
+        ("again and again any ada (Count.EqualTo(1)); any ada (Count.EqualTo(2))", False),
+        ("again and again any ada (Count.GreaterThan(1))", True),
+        ("visit any ada (Count.EqualTo(2)); any ada (Count.EqualTo(1))", True),
+        ("visit any ada (Count.EqualTo(1)); any ada (Count.EqualTo(2)) in this order", True),
+        ("visit any ada (Count.EqualTo(2)); any ada (Count.EqualTo(1)) in this order", False),
+        ("visit any ada (Count.EqualTo(1)); any ada (Count.EqualTo(2)) in turn within 1.5", False),
         ("stays any ada (Count.EqualTo(0)) until any ada (Count.EqualTo(2))", False),
     ],
 )
@@ -97,7 +147,7 @@ def test_what_is_asked_is_said_in_a_sentence(counter: OpenMission) -> None:
     spec = counter.prepare(RunOptions(1, 30.0)).spec
 
     def words(question: str) -> str:
-        return RunJudge(read_question(question), spec).words
+        return RunJudge(read_property(question), spec).words
 
     assert words("done within 5") == "a run ends with the outcome done, within 5 s"
     assert words("counted") == "eventually `any ada (Count.EqualTo(2))`"
@@ -116,7 +166,7 @@ def test_a_mission_that_brings_boxes_is_asked_for_its_ready_properties() -> None
     holding = [
         name
         for name in ("delivered within 59", "delivered within 60", "contact", "served-carrier-1", "end", "stock")
-        if (found := RunJudge(read_question(name), spec).answer(1, lambda: False)) is not None and found.holds
+        if (found := RunJudge(read_property(name), spec).answer(1, lambda: False)) is not None and found.holds
     ]
     assert holding == ["delivered within 60", "contact", "served-carrier-1", "end", "stock"]
 
@@ -145,13 +195,10 @@ def test_a_question_that_the_mission_cannot_answer_is_an_error(
 
 def test_a_stopped_run_answers_nothing(counter: OpenMission) -> None:
     spec = counter.prepare(RunOptions(1, 30.0)).spec
-    assert RunJudge(read_question("done"), spec).answer(1, lambda: True) is None
-    assert RunJudge(read_question("any ada (Count.EqualTo(9))"), spec).answer(1, lambda: True) is None
+    assert RunJudge(read_property("done"), spec).answer(1, lambda: True) is None
+    assert RunJudge(read_property("any ada (Count.EqualTo(9))"), spec).answer(1, lambda: True) is None
 
 
 def test_a_question_keeps_what_other_processes_need(counter: OpenMission) -> None:
-    asked = read_question("after any a (B.C()) eventually any a (D.E()) within 5")
+    asked = read_property("after any a (B.C()) eventually any a (D.E()) within 5")
     assert pickle.loads(pickle.dumps(asked)) == asked
-    assert asked.run_seconds is None
-    assert read_question("done within 5").run_seconds == 5
-    assert math.isclose(read_question("done within 2.50").run_seconds or 0, 2.5)

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.mission.model import Mission
-from kitrobot.mission.property_forms import AskedProperty, Form
+from kitrobot.mission.property_forms import TIMED, AskedProperty, Form, VisitOrder
 from kitrobot.mission.reader import read_mission
 from kitrobot.mission.writer import write_mission
 from kitrobot.versions.comparison import differences
@@ -26,6 +26,13 @@ LINES = (
     '<property name="a" after="any p (Button.IsPressed())" eventually="all robot-1 (Button.IsReleased())"/>',
     '<property name="e" eventually="any robot-1 (Button.IsPressed())"/>',
     '<property name="s" stays="any p (Button.IsPressed())" until="any p (Button.IsReleased())"/>',
+    '<property name="w" never="any p (Button.IsPressed())" while="any p (Button.IsReleased())"/>',
+    '<property name="h" holds="any p (Button.IsPressed())" for="1.5"/>',
+    '<property name="m" at-most="any p (Button.IsPressed())" times="3"/>',
+    '<property name="f" first="any p (Button.IsPressed())" before="any p (Button.IsReleased())"/>',
+    '<property name="g" again="any p (Button.IsPressed()); any p (Button.IsReleased())" within="20"/>',
+    '<property name="v" visit="any p (Button.IsPressed()); any p (Button.IsReleased())" order="turn"/>',
+    '<property name="d" after="any p (Button.IsPressed())" eventually="any p (Button.IsReleased())" within="0.5"/>',
 )
 TEXTS = st.text(st.characters(codec="utf-8", exclude_categories=("Cc", "Cs", "Co", "Cn")), max_size=30).map(str.strip)
 
@@ -36,10 +43,10 @@ def read(*parts: str) -> tuple[Mission, list[str]]:
     return mission, [item.message for item in problems]
 
 
-def test_the_four_forms_are_read_written_and_sent_the_same() -> None:
+def test_the_forms_are_read_written_and_sent_the_same() -> None:
     mission, problems = read(*LINES)
     assert problems == []
-    assert [one.form for one in mission.properties] == [Form.NEVER, Form.AFTER, Form.EVENTUALLY, Form.STAYS]
+    assert {one.form for one in mission.properties} == set(Form)
     written = write_mission(mission)
     assert read_mission(written, "m.krt") == (mission, [])
     assert [line.strip() for line in written.decode().splitlines() if "<property" in line] == list(LINES)
@@ -47,9 +54,27 @@ def test_the_four_forms_are_read_written_and_sent_the_same() -> None:
     assert mission_from_shape(shape) == mission
 
 
-@given(TEXTS.filter(bool), st.sampled_from(Form), TEXTS, TEXTS)
-def test_whatever_it_says_comes_back(name: str, form: Form, first: str, second: str) -> None:
-    one = AskedProperty(name, form, first, second if form in (Form.AFTER, Form.STAYS) else "")
+@given(
+    TEXTS.filter(bool),
+    st.sampled_from(Form),
+    TEXTS,
+    TEXTS,
+    st.floats(0, 1e6),
+    st.integers(0, 100),
+    st.sampled_from(VisitOrder),
+)
+def test_whatever_it_says_comes_back(
+    name: str, form: Form, first: str, second: str, seconds: float, times: int, order: VisitOrder
+) -> None:
+    one = AskedProperty(
+        name,
+        form,
+        first,
+        second if form in (Form.NEVER, Form.AFTER, Form.STAYS, Form.BEFORE) else "",
+        seconds if form in TIMED else 0.0,
+        times if form is Form.AT_MOST else 0,
+        order if form is Form.VISIT else VisitOrder.ANY,
+    )
     mission, _ = read_mission(write_mission(Mission(properties=[one])), "m.krt")
     assert mission is not None
     assert mission.properties == [one]
@@ -62,6 +87,14 @@ def test_whatever_it_says_comes_back(name: str, form: Form, first: str, second: 
         '<property name="n"/>',
         '<property name="n" after="x"/>',
         '<property name="n" never="x" eventually="y"/>',
+        '<property name="n" never="x" within="4"/>',
+        '<property name="n" holds="x"/>',
+        '<property name="n" holds="x" for="soon"/>',
+        '<property name="n" eventually="x" within="0"/>',
+        '<property name="n" at-most="x"/>',
+        '<property name="n" at-most="x" times="101"/>',
+        '<property name="n" visit="x" order="some"/>',
+        '<property name="n" first="x"/>',
         '<property name="n" stays="x" until="y" never="z"/>',
         f'<property name="n" never="{"x" * 2000}"/>',
         f'<property name="{"n" * 200}" never="x"/>',

@@ -10,13 +10,13 @@ from pathlib import Path
 import pytest
 
 import kitrobot
-from kitrobot.live import recorded_agents
 from kitrobot.live.watched_recording import ReplayError, WatchedRecording
 from kitrobot.live.watched_simulation import WatchedSimulation
 from kitrobot.mission.trial import Breakpoint
 from kitrobot.sim.breakpoints import ConditionError, Hit
 from kitrobot.sim.recorder import simulate
 from kitrobot.trace.source import walk
+from kitrobot.workspace import recorded_agents
 from kitrobot.workspace.traces import open_trace
 from tests.effort import THOROUGH
 

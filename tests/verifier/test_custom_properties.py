@@ -107,7 +107,7 @@ def test_a_run_of_the_simulator_does_not_break_what_holds(judged) -> None:
         run.advance(1)
         assert not any(monitor.after_step() for monitor in monitors.values())
     assert run.outcome == "done"
-    assert {name: monitor.at_end() for name, monitor in monitors.items()} == dict.fromkeys(monitors, False)
+    assert {name: monitor.at_end("done") for name, monitor in monitors.items()} == dict.fromkeys(monitors, False)
 
 
 @pytest.mark.parametrize(

@@ -74,7 +74,7 @@ def test_roles_groups_and_works_are_asked_as_they_are_at_that_moment(
         while run.outcome is None:
             run.advance(1)
             assert not monitor.after_step()
-        assert not monitor.at_end()
+        assert not monitor.at_end("done")
 
 
 def test_what_is_no_role_and_no_group_is_refused_and_so_is_a_part_that_a_member_lacks(

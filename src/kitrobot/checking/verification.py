@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.mission.property_forms import AskedProperty
 from kitrobot.mission.trial import FailureKind
 from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import COMMA, Sentence, Series
@@ -17,7 +18,11 @@ from kitrobot.verifier.model.abstraction import Abstraction, abstract_run
 from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.model.table_builder import USUAL_KINDS
 from kitrobot.verifier.model.timing import Timing
-from kitrobot.verifier.properties.custom_properties import build_custom_properties, property_variables
+from kitrobot.verifier.properties.custom_properties import (
+    build_custom_properties,
+    build_custom_property,
+    property_variables,
+)
 from kitrobot.verifier.properties.properties import Property, ready_properties
 from kitrobot.verifier.properties.verdicts import Answer, CheckResult, Verdict, check_properties
 from kitrobot.verifier.report.counterexample_text import describe_run, free_readings
@@ -63,6 +68,8 @@ class VerificationOptions:
         stop: asked now and then whether to break off.
         memory: at most so many bytes of the whole process, about; None for no limit.
         draws: whether runs that break a property are wanted as scenes.
+        asked: properties that are asked besides those of the mission; if there are any, no others are checked unless
+            `properties` names them.
         clock: what tells the time, in seconds.
     """
 
@@ -76,6 +83,7 @@ class VerificationOptions:
     stop: Callable[[], bool] = _never
     memory: int | None = MEMORY
     draws: bool = False
+    asked: tuple[AskedProperty, ...] = ()
     clock: Callable[[], float] = time.monotonic
 
 
@@ -185,6 +193,7 @@ def verify(
 
     Raises:
         VerificationError: there is no such property, or a number makes no sense.
+        PropertyError: a check cannot decide one of the properties that are asked besides.
         AbstractionError: the mission cannot be checked.
     """
     return verify_runs(prepared.spec.simulation, prepared.options.seed, options, progress, column_done)
@@ -206,7 +215,8 @@ def verify_runs(
         raise VerificationError(Sentence("a check takes 0 to {most} failures", MOST_FAILURES))
     run = runs(seed)
     asked = run.mission.properties
-    parts = abstract_run(run, property_variables(run, asked))
+    names = (*options.properties, *(one.name for one in options.asked))
+    parts = abstract_run(run, property_variables(run, (*asked, *options.asked)))
     limits = list(parts.limits)
     ends = None if options.seconds is None else options.clock() + options.seconds
     columns: list[Column] = []
@@ -215,8 +225,9 @@ def verify_runs(
     for failures, timing in assumptions:
         model = Model(run, parts, failures, timing, options.kinds)
         own, left_out = build_custom_properties(model, asked)
+        own += [build_custom_property(model, one) for one in options.asked]
         limits += [words for words in left_out if words not in limits]
-        properties = _chosen([*ready_properties(model), *own], options.properties)
+        properties = _chosen([*ready_properties(model), *own], names)
         if columns and (options.stop() or (ends is not None and options.clock() > ends)):
             break
         limits += [words for words in _failure_limits(parts, options, failures, properties) if words not in limits]

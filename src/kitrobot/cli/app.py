@@ -38,6 +38,7 @@ from kitrobot.cli.experiments import sweep_missions
 from kitrobot.cli.flash import flash_board
 from kitrobot.cli.format import format_files
 from kitrobot.cli.grade import grade_submissions
+from kitrobot.cli.judge import judge_files
 from kitrobot.cli.log import show_log
 from kitrobot.cli.maze import give_maze
 from kitrobot.cli.merge import merge_missions_of_files
@@ -99,6 +100,7 @@ app.command("class")(open_class)
 app.command("run")(run_mission)
 app.command("sweep")(sweep_missions)
 app.command("verify")(verify_mission)
+app.command("judge")(judge_files)
 app.command("probability")(estimate_probability)
 app.command("grade")(grade_submissions)
 app.command("team")(run_team)

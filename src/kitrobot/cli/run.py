@@ -16,8 +16,9 @@ from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_
 from kitrobot.diagnostics.read_files import expect_outputs
 
 if TYPE_CHECKING:
+    from kitrobot.judges.run_watch import RunWatch
     from kitrobot.primitives.kit import Kit
-    from kitrobot.workspace.mission_run import Run
+    from kitrobot.workspace.mission_run import PreparedRun, Run
 
 
 Seed = Annotated[int, typer.Option(min=0, help="Chance begins here: the same seed gives the same run.")]
@@ -55,6 +56,16 @@ Pairs = Annotated[bool, typer.Option("--pairs", help="Sweep: two robots fail in 
 Jobs = Annotated[
     int | None, typer.Option(metavar="N", min=1, help="Sweep: in so many processes; else one for each core.")
 ]
+Watch = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--watch",
+        metavar="PROPERTY",
+        help="Watch for a property that breaks, a name or text such as `never any carrier (Collision.IsPressed())`; "
+        "may be given again. A sweep then says in which runs it breaks.",
+        show_default=False,
+    ),
+]
 HeatMap = Annotated[Path | None, typer.Option("--output", "-o", metavar="MAP.svg", help="Sweep: write a heat map.")]
 
 
@@ -72,13 +83,17 @@ def run_mission(
     pairs: Pairs = False,
     jobs: Jobs = None,
     picture: HeatMap = None,
+    watched: Watch = None,
 ) -> None:
     """Run a mission in the simulator, as fast as it goes.
 
     The exit status is 0 when the mission was done, and 1 when it failed, got stuck, ran out of time or has errors. Of a
     sweep it is 0 when it was done in every run, or with `--pairs` done or failed.
+    Of a run that is watched it is also 1 when a property breaks.
     """
+    from kitrobot.cli.judgements import judgement_lines
     from kitrobot.files.disk import replace_whole
+    from kitrobot.judges.judgement import exit_status
     from kitrobot.trace.drawing_svg import drawing_svg
     from kitrobot.workspace.mission_loader import open_mission
     from kitrobot.workspace.mission_run import RunOptions
@@ -87,6 +102,8 @@ def run_mission(
     check_run_numbers(seed, seconds, fail_rate)
     if fail_sweep is None and (pairs or jobs is not None or picture is not None):
         raise typer.BadParameter("`--pairs`, `--jobs` and `--output` are of a sweep", param_hint="'--fail-sweep'")
+    if fail_sweep is not None and watched and (pairs or picture is not None):
+        raise typer.BadParameter("properties are watched for where one robot fails", param_hint="'--watch'")
     if fail_sweep is not None and drawing is not None:
         raise typer.BadParameter("the many runs of a sweep are not drawn", param_hint="'--drawing'")
     if floor and drawing is None:
@@ -101,6 +118,9 @@ def run_mission(
     prepared = open_mission(file).prepare(RunOptions(seed, seconds, fail_rate, trace, kit))
     expect_outputs(trace, drawing, picture)
     print_diagnostics(prepared.problems, prepared.sources)
+    if fail_sweep is not None and watched:
+        _judge_failures(prepared, watched, fail_sweep, jobs, as_json)
+        return
     if fail_sweep is not None:
         from kitrobot.cli.sweep import MOMENTS, MOMENTS_OF_PAIRS, sweep_mission
         from kitrobot.workspace.sweep import SweepOptions
@@ -108,15 +128,38 @@ def run_mission(
         moments = fail_sweep or (MOMENTS_OF_PAIRS if pairs else MOMENTS)
         sweep_mission(prepared, SweepOptions(moments, pairs, jobs), picture, as_json)
         return
+    watch = _watch_of(prepared, watched) if watched else None
     with _progress(seconds) as progress:
-        run = prepared.run(progress)
+        run = prepared.run(progress, None if watch is None else watch.after_step)
+    judgements = watch.judgements(prepared.opened.name) if watch is not None else []
     if drawing is not None:
         world = prepared.simulation.world
         under = floor_svg(world) if floor else ()
         replace_whole(drawing, drawing_svg(run.strokes, world.width_mm, world.height_mm, under).encode())
-    print_data(json_text(run.to_json()) + "\n" if as_json else _summary(run))
-    if run.outcome != "done":
+    if as_json:
+        more = {"watched": [one.to_json() for one in judgements]} if judgements else {}
+        print_data(json_text(run.to_json() | more) + "\n")
+    else:
+        print_data(_summary(run) + "".join(f"{line}\n" for line in ("", *judgement_lines(judgements)) if judgements))
+    if run.outcome != "done" or exit_status(judgements) == 1:
         raise typer.Exit(1)
+
+
+def _watch_of(prepared: PreparedRun, questions: list[str]) -> RunWatch:
+    from kitrobot.judges.run_watch import RunWatch
+
+    return RunWatch(prepared.simulation, questions)
+
+
+def _judge_failures(prepared: PreparedRun, questions: list[str], moments: int, jobs: int | None, as_json: bool) -> None:
+    """Says in which runs of a sweep properties break, and ends with that status."""
+    from kitrobot.cli.judgements import print_judgements
+    from kitrobot.judges.failure_judge import USUAL_MOMENTS, FailureOptions
+    from kitrobot.judges.judgement import Judge
+    from kitrobot.judges.mission_judges import JudgeOptions, judge_mission
+
+    chosen = JudgeOptions((Judge.FAILURES,), failures=FailureOptions(moments or USUAL_MOMENTS, jobs))
+    print_judgements(judge_mission(prepared, questions, chosen), as_json)
 
 
 def check_run_numbers(seed: int, seconds: float, fail_rate: float) -> None:

@@ -7,26 +7,37 @@ import sys
 import time
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from kitrobot.cli.options import MissionFile, ResultAsJson
+from kitrobot.cli.judge import JudgedFiles, judge_recordings, split_files
+from kitrobot.cli.judgements import print_judgements
+from kitrobot.cli.options import ResultAsJson
 from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_message
+from kitrobot.text.sentences import Sentence
 
 if TYPE_CHECKING:
     from kitrobot.checking.verification import Finding, Progress, Verification
+    from kitrobot.mission.property_forms import AskedProperty
     from kitrobot.verifier.exploration.budget import CutReason
     from kitrobot.verifier.model.timing import Timing
 
 _MEGA = 1_000_000
+_ELSEWHERE = Sentence("ask it of runs (`kitrobot judge --by runs`), of failures or of a recording")
 _FIRST, _LAST = 6, 24
 """Events of one run that are shown: the first and the last ones."""
 
 
 PropertyNames = Annotated[
     list[str] | None,
-    typer.Option("--property", metavar="NAME", help="Check this one only; may be given again.", show_default=False),
+    typer.Option(
+        "--property",
+        metavar="PROPERTY",
+        help="Check this one only: a name, or a property as text; may be given again.",
+        show_default=False,
+    ),
 ]
 TimingNames = Annotated[
     list[str] | None,
@@ -66,7 +77,7 @@ Seconds = Annotated[float, typer.Option(metavar="S", help="Take at most so long,
 
 
 def verify_mission(
-    file: MissionFile,
+    files: JudgedFiles,
     properties: PropertyNames = None,
     timings: TimingNames = None,
     failures: MostFailures = 0,
@@ -76,13 +87,18 @@ def verify_mission(
     seconds: Seconds = 60.0,
     as_json: ResultAsJson = False,
 ) -> None:
-    """Check what can go wrong in a mission, whatever the order of events.
+    """Check what can go wrong in a mission, whatever the order of events; or whether recordings keep its properties.
 
     The exit status is 0 when every property holds wherever it was checked, 1 when one is broken, and 3 when none is
     and a search was not finished.
     """
     if not (math.isfinite(seconds) and seconds > 0):
         raise typer.BadParameter("a check takes more than 0 seconds", param_hint="'--seconds'")
+    recordings, file = split_files(files)
+    if recordings:
+        print_judgements(judge_recordings(recordings, properties or (), file), as_json)
+        return
+    assert file is not None, "there is a file"
     from kitrobot.checking.verification import MOST_FAILURES, VerificationOptions, verify
     from kitrobot.verifier.model.table_builder import KINDS, USUAL_KINDS
     from kitrobot.verifier.model.timing import Timing
@@ -100,11 +116,12 @@ def verify_mission(
     befalls = {one.value: one for one in KINDS}
     _check_names(kinds, befalls, "--kind")
     chosen = tuple(one for one in Timing if not timings or one.value in timings)
+    names, asked = _read_properties(properties or ())
     prepared = open_mission(file).prepare(RunOptions(1, 600.0))
     print_diagnostics(prepared.problems, prepared.sources)
     wanted = tuple(one for name, one in befalls.items() if name in kinds) if kinds else USUAL_KINDS
     options = VerificationOptions(
-        tuple(properties or ()), chosen, failures, wanted, most_states, seconds, memory=most_memory * _MEGA
+        *(names, chosen, failures, wanted, most_states, seconds), memory=most_memory * _MEGA, asked=asked
     )
     with _progress() as progress:
         made = verify(prepared, options, progress)
@@ -115,6 +132,24 @@ def verify_mission(
         raise typer.Exit(1)
     if Answer.NOT_FINISHED in made.answers:
         raise typer.Exit(3)
+
+
+def _read_properties(texts: Sequence[str]) -> tuple[tuple[str, ...], tuple[AskedProperty, ...]]:
+    """The names among properties, and those that are asked as text: `asked`, `asked-2`, …"""
+    from kitrobot.mission.property_text import QuestionError, read_property
+
+    names: list[str] = []
+    asked: list[AskedProperty] = []
+    for text in texts:
+        found = read_property(text)
+        if found.within_s is not None:
+            raise QuestionError(Sentence("it counts seconds, and the states of a check have none"), _ELSEWHERE)
+        if found.asked is None:
+            names.append(found.name)
+        else:
+            name = "asked" if not asked else f"asked-{len(asked) + 1}"
+            asked.append(replace(found.asked, name=name))
+    return tuple(names), tuple(asked)
 
 
 def _check_names(names: Iterable[str] | None, known: Collection[str], option: str) -> None:

@@ -29,7 +29,7 @@ from kitrobot.text.phrases import one_of
 from kitrobot.text.sentences import Help, Sentence
 from kitrobot.text.suggestions import did_you_mean
 from kitrobot.verifier.properties.conditions import AgentCondition, PropertyError, parse_condition
-from kitrobot.verifier.properties.run_conditions import RunConditions, declared_of, team_of
+from kitrobot.verifier.properties.run_conditions import declared_of, simulated_conditions, team_of
 
 Number = int | float | None
 """What is measured; None: nothing, as of a condition that never held."""
@@ -153,7 +153,7 @@ class _ConditionMeter:
 
     def __init__(self, kind: str, condition: AgentCondition, run: Simulation) -> None:
         self._kind, self._condition, self._run = kind, condition, run
-        self._decided = RunConditions([condition], run)
+        self._decided = simulated_conditions([condition], run)
         self.begin()
 
     def begin(self) -> None:

@@ -13,10 +13,11 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.experiments.run_question import RunAnswer, RunJudge, RunQuestion, read_question
+from kitrobot.experiments.run_question import RunAnswer, RunJudge
 from kitrobot.experiments.statistics.interval import USUAL_CONFIDENCE, Interval, StatisticsError
 from kitrobot.experiments.statistics.ratio_test import RatioTest
 from kitrobot.experiments.statistics.stopping_rule import LookPlan, SequentialShare, hoeffding_runs, plan_looks
+from kitrobot.mission.property_text import PropertyText, read_property
 from kitrobot.sim.jit.policy import expect_many_runs
 from kitrobot.sim.run_spec import RunSpec
 from kitrobot.sim.setup.limits import MAX_SEED
@@ -213,7 +214,7 @@ def find_probability(
         raise ProbabilityError(Sentence("runs are shared out over 1 to {most} processes", MOST_JOBS))
     if options.most_runs is not None and options.most_runs < 1:
         raise StatisticsError(Sentence("there is no run to count"), Sentence("let at least one run end"))
-    asked, spec = read_question(question), prepared.spec
+    asked, spec = read_property(question), prepared.spec
     counts = _Counts(options)
     judge = RunJudge(asked, spec)
     try:
@@ -252,7 +253,7 @@ _Batch = tuple[int, int, int]
 
 
 def _answers(
-    judge: RunJudge, asked: RunQuestion, spec: RunSpec, counts: _Counts, jobs: int, stop: Callable[[], bool]
+    judge: RunJudge, asked: PropertyText, spec: RunSpec, counts: _Counts, jobs: int, stop: Callable[[], bool]
 ) -> Generator[RunAnswer, None, None]:
     """What runs answer, in the order of their seeds."""
     first = judge.answer(spec.seed, stop)
@@ -289,7 +290,7 @@ _here: list[Any] = []
 """Of a process of the pool: its judge, whether it takes plain steps, and the event at which it is to leave off."""
 
 
-def _begin(asked: RunQuestion, spec: RunSpec, is_plain: bool, leave_off: Any) -> None:
+def _begin(asked: PropertyText, spec: RunSpec, is_plain: bool, leave_off: Any) -> None:
     """In a process of the pool, once."""
     _here[:] = [RunJudge(asked, spec), is_plain, leave_off]
 

@@ -10,12 +10,12 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.live.recorded_agents import recorded_agents, select_testable
 from kitrobot.live.watched_run import WatchedRun
 from kitrobot.mission.trial import Breakpoint
 from kitrobot.text.sentences import Sentence
 from kitrobot.trace.source import RecordingSource, RunSource
 from kitrobot.workspace.mission_loader import OpenMission
+from kitrobot.workspace.recorded_agents import recorded_agents, select_testable
 from kitrobot.workspace.traces import OpenTrace
 from kitrobot.world.model import World
 

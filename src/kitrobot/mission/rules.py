@@ -39,15 +39,17 @@ PROPERTY = rule(
     "mission-property",
     Severity.WARNING,
     "A property cannot be checked",
-    "A property has a name of its own and one of four forms: never A; after A always eventually B; eventually A; once"
-    " A, it stays so until B. A and B are LLL in which each test says whose it is: any carrier-1 (Cargo.IsPressed())."
-    " It names agents of the team, or a program for all agents that run it, and what their robots sense or keep.",
+    "A property has a name of its own and one of the forms of the Check page of the documents, such as never A, or"
+    " after A always eventually B within so many seconds. A and B are LLL in which each test says whose it is:"
+    " any carrier-1 (Cargo.IsPressed()). It names agents of the team, or a program for all agents that run it, and what"
+    " their robots sense or keep.",
 )
 PROPERTY_FORM = rule(
     "mission-property-form",
     Severity.ERROR,
-    "A property has none of the four forms",
-    "A property says never, eventually, after and eventually, or stays and until. What it says is kept as it is.",
+    "A property has none of its forms",
+    "A property says never (and while), eventually, after and eventually, stays and until, holds and for, at-most and"
+    " times, first and before, again, or visit (and order). Some may say within. What it says is kept as it is.",
 )
 FAILURE = rule(
     "mission-failure",

@@ -163,6 +163,7 @@ def simulate(
     progress: Callable[[Simulation], bool | None] | None = None,
     parts: Sequence[TracePart] = (),
     drawing: Drawing | None = None,
+    watch: Callable[[], Sequence[Event]] | None = None,
 ) -> Simulation:
     """Runs a simulation to its end, as fast as it goes.
 
@@ -172,11 +173,20 @@ def simulate(
         progress: called now and then; when it gives True the run is broken off, without an outcome.
         parts: XML files that the mission needs, for the trace.
         drawing: what pens draw is added to it.
+        watch: called after each step; the events that it gives are recorded with those of the step.
 
     Raises:
         TraceError: the trace cannot be written.
     """
     drawing = Drawing() if drawing is None else drawing
+    if trace is None and watch is not None:
+        while simulation.outcome is None:
+            simulation.step()
+            drawing.add(simulation.drawn)
+            watch()
+            if _is_to_end(simulation, progress):
+                break
+        return simulation
     if trace is None:
         while simulation.outcome is None:
             simulation.advance(PROGRESS_STEPS - simulation.tick % PROGRESS_STEPS)
@@ -190,7 +200,8 @@ def simulate(
         while simulation.outcome is None:
             simulation.step()
             drawing.add(simulation.drawn)
-            writer.record(recorder.record())
+            found = watch() if watch is not None else ()
+            writer.record(recorder.record((*simulation.events, *found)))
             if _is_to_end(simulation, progress):
                 break
         writer.finish(outcome_of(simulation))

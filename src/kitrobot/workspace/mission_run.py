@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
@@ -14,6 +14,7 @@ from kitrobot.diagnostics.read_files import expect_output
 from kitrobot.mission.model import DEFAULT_SEED
 from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.kit import Kit, as_measured
+from kitrobot.sim.event_text import Event
 from kitrobot.sim.recorder import simulate, strokes_now
 from kitrobot.sim.run_spec import RunSpec
 from kitrobot.sim.setup.limits import SimulationError, check_limits
@@ -121,8 +122,10 @@ class PreparedRun:
         """The texts that the problems point into."""
         return self.opened.all_sources
 
-    def run(self, progress: Progress | None = None) -> Run:
+    def run(self, progress: Progress | None = None, watch: Callable[[], Sequence[Event]] | None = None) -> Run:
         """Runs the mission to its end, once; it needs a time limit. `progress` is told the simulated seconds so far.
+
+        `watch` is called after each step of `simulation`; the events that it gives are recorded.
 
         What pens drew is in the result.
 
@@ -133,7 +136,7 @@ class PreparedRun:
         began = time.perf_counter()
         parts = parts_of(self.opened) if trace is not None else ()
         drawn = Drawing(pens_of(made.members))
-        simulate(made, trace, None if progress is None else lambda now: progress(now.seconds), parts, drawn)
+        simulate(made, trace, None if progress is None else lambda now: progress(now.seconds), parts, drawn, watch)
         real = time.perf_counter() - began
         assert made.outcome is not None, "a run with a time limit ends"
         return Run(

@@ -89,12 +89,20 @@ export interface ArenaMessage {
   arena: ClassArena | null;
 }
 
-/** One property: `second` is the condition behind *eventually* or *until*, "" where the form has one only. */
+/**
+ * One property. Attributes: name: its name in the mission. form: how it speaks of its conditions. first: the condition
+ * of its first attribute; of a form with a list, all of them with semicolons between them. second: the condition behind
+ * *eventually*, *until*, *before* or *while*; "" where there is none. seconds: the time behind *within* or *for*, in
+ * simulated seconds; 0 where there is none. times: how often at most; 0 where the form does not say. order: of a visit.
+ */
 export interface AskedProperty {
   name: string;
   form: Form;
   first: string;
   second?: string;
+  seconds?: number;
+  times?: number;
+  order?: VisitOrder;
 }
 
 /** A ball that can be pushed, around its middle; friction is what slows it down (0: it rolls for ever). */
@@ -843,8 +851,8 @@ export interface Forget {
   journal: string;
 }
 
-/** How a property speaks of its one or two conditions; the value names the first attribute of its form. */
-export type Form = "never" | "after" | "eventually" | "stays";
+/** How a property speaks of its conditions; the value names the first attribute of its form. */
+export type Form = "never" | "after" | "eventually" | "stays" | "holds" | "at-most" | "first" | "again" | "visit";
 
 /** What the text became: a chain from Start to Stop, or a condition on its own; None when it is no LLL. */
 export interface Fragment {
@@ -2389,6 +2397,12 @@ export interface Vertex {
   notes: Note[];
   unknown?: string;
 }
+
+/**
+ * In which order the conditions of a visit come: any; each for the first time in this one; only in this one, over and
+ * over.
+ */
+export type VisitOrder = "any" | "given" | "turn";
 
 /** A straight wall without thickness. */
 export interface Wall {

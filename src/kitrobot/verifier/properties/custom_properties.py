@@ -1,4 +1,4 @@
-"""Custom properties of a mission, in the four forms of its `<property>` elements.
+"""Custom properties of a mission, in the forms of its `<property>` elements.
 
 A condition holds in a state if it holds for the values that the agents would read and store there. The same values come
 up in many states, so each answer of the interpreter is cached. In a run of the simulator the values are those of the
@@ -7,10 +7,13 @@ agents' last tick.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import replace
 
 from kitrobot.mission.model import Team
-from kitrobot.mission.property_forms import AskedProperty, Form
+from kitrobot.mission.property_forms import LISTS, AskedProperty, Form, VisitOrder
+from kitrobot.mission.property_text import list_mistake
 from kitrobot.sim.breakpoints import Condition as Test
 from kitrobot.sim.devices.base import Discrete
 from kitrobot.sim.simulation import Simulation
@@ -24,24 +27,31 @@ from kitrobot.verifier.properties.conditions import (
     Truth,
     parse_condition,
 )
-from kitrobot.verifier.properties.properties import Property, SensedCondition
-from kitrobot.verifier.properties.ready_monitors import RunMonitor, waited_long_enough
+from kitrobot.verifier.properties.properties import BROKEN, KEPT, History, Property, SensedCondition
+from kitrobot.verifier.properties.property_automaton import (
+    PropertyAutomaton,
+    Standing,
+    visit_in_order,
+    visit_in_turn,
+)
+from kitrobot.verifier.properties.ready_monitors import waited_long_enough
 from kitrobot.verifier.properties.run_conditions import (
     AgentValuation,
-    RunConditions,
     declared_of,
     members_in_set,
+    simulated_conditions,
     team_of,
 )
 
 
 def property_variables(run: Simulation, properties: Iterable[AskedProperty]) -> set[str]:
     """The names of the variables in properties; see `abstract_run`."""
-    team = team_of(run)
     found: set[str] = set()
-    for _, conditions, _ in _understood(properties, team, declared_of(run)):
-        for one in conditions:
-            found.update(*one.names.values())
+    for one in properties:
+        # One that cannot be understood names nothing; whoever builds it says why.
+        with suppress(PropertyError):
+            for condition in parse_conditions(one, team_of(run), declared_of(run)):
+                found.update(*condition.names.values())
     return found
 
 
@@ -49,24 +59,21 @@ def build_custom_properties(model: Model, properties: Sequence[AskedProperty]) -
     """Builds the custom properties of a mission; also returns why some of them are left out."""
     found: list[Property] = []
     left_out: list[Sentence] = []
-    for one, conditions, error in _understood(properties, team_of(model.run), declared_of(model.run)):
+    for one in properties:
         try:
-            if error is not None:
-                raise error
-            found.append(_property(model, one, conditions))
+            found.append(build_custom_property(model, one))
         except PropertyError as wrong:
             left_out.append(Sentence("the property {name} is left out: {reason}", one.name, wrong.message))
     return found, left_out
 
 
-def _understood(
-    properties: Iterable[AskedProperty], team: Sequence[Member], declared: Team | None
-) -> Iterator[tuple[AskedProperty, list[AgentCondition], PropertyError | None]]:
-    for one in properties:
-        try:
-            yield one, [parse_condition(text, team, declared) for _, text in one.conditions], None
-        except PropertyError as error:
-            yield one, [], error
+def build_custom_property(model: Model, one: AskedProperty) -> Property:
+    """Builds a custom property.
+
+    Raises:
+        PropertyError: a check cannot decide it, a condition cannot be parsed, or names something that does not exist.
+    """
+    return _property(model, one, parse_conditions(one, team_of(model.run), declared_of(model.run)))
 
 
 class _ModelCondition:
@@ -135,35 +142,66 @@ class _ModelCondition:
 
 
 def _property(model: Model, one: AskedProperty, parsed: Sequence[AgentCondition]) -> Property:
+    if one.seconds or one.form is Form.HOLDS:
+        raise PropertyError(
+            Sentence("it counts seconds, and the states of a check have none"),
+            Sentence("ask it of runs (`kitrobot judge --by runs`), of failures or of a recording"),
+        )
     conditions = [_ModelCondition(model, condition) for condition in parsed]
-    first, second = conditions[0], conditions[-1]
-
-    def monitor(run: Simulation) -> RunMonitor:
-        return _ConditionMonitor(one.form, parsed, run)
-
+    holds = [condition.holds for condition in conditions]
+    first, second = holds[0], holds[-1]
+    asked = Property(one.name, one.words, monitor=lambda run: _ConditionMonitor(one, parsed, run))
     match one.form:
+        case Form.NEVER if one.second:
+            return replace(asked, never=_both(first, second), concerned=_either(first, second))
         case Form.NEVER:
-            return Property(
-                one.name, one.words, never=first.holds, concerned=first.when(parsed[0].is_concerned), monitor=monitor
-            )
+            return replace(asked, never=first, concerned=conditions[0].when(parsed[0].is_concerned))
         case Form.EVENTUALLY:
-            return Property(one.name, one.words, waits=_not(first.holds), from_start=True, monitor=monitor)
+            return replace(asked, waits=_not(first), from_start=True)
         case Form.AFTER:
-            return Property(
-                one.name, one.words, waits=_not(second.holds), since=first.holds, concerned=first.holds, monitor=monitor
-            )
+            return replace(asked, waits=_not(second), since=first, concerned=first)
         case Form.STAYS:
-            closed = _not(second.holds)
-            return Property(
-                one.name,
-                one.words,
-                breaks=(_both(first.holds, closed), _both(_not(first.holds), closed)),
-                concerned=first.holds,
-                monitor=monitor,
-            )
+            closed = _not(second)
+            return replace(asked, breaks=(_both(first, closed), _both(_not(first), closed)), concerned=first)
+        case Form.AT_MOST:
+            return replace(asked, history=History((first,), one.times + 1, _counts(one.times)), concerned=first)
+        case Form.BEFORE:
+            return replace(asked, history=History((first, second), 1, _comes_first), concerned=_either(first, second))
+        case Form.AGAIN:
+            return replace(asked, waits=_not(first), also_waits=tuple(map(_not, holds[1:])))
+        case Form.VISIT:
+            visits = replace(asked, waits=_not(first), also_waits=tuple(map(_not, holds[1:])), from_start=True)
+            if one.order is VisitOrder.ANY:
+                return visits
+            step = _in_order if one.order is VisitOrder.GIVEN else _in_turn
+            return replace(visits, history=History(tuple(holds), len(holds), step))
+    raise AssertionError("the form of a property with seconds was refused")
 
 
-def build_run_property(one: AskedProperty, run: Simulation, within_s: float | None = None) -> Property:
+def _counts(times: int) -> Callable[[int, tuple[bool, ...], tuple[bool, ...]], int]:
+    """The step of a history in which the condition comes at most so many times."""
+
+    def step(memory: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> int:
+        return BROKEN if memory + comes[0] > times else memory + comes[0]
+
+    return step
+
+
+def _comes_first(memory: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> int:
+    return KEPT if now[0] else BROKEN if now[1] else memory
+
+
+def _in_order(memory: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> int:
+    visited = visit_in_order(memory, now)
+    return KEPT if visited == len(now) else visited if visited >= 0 else BROKEN
+
+
+def _in_turn(memory: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> int:
+    following, _ = visit_in_turn(memory, comes)
+    return following if following >= 0 else BROKEN
+
+
+def build_run_property(one: AskedProperty, run: Simulation) -> Property:
     """Builds a property that is judged by its `monitor` alone, on runs of this mission with any seed.
 
     Sensors may be free, since a run reads them.
@@ -171,15 +209,24 @@ def build_run_property(one: AskedProperty, run: Simulation, within_s: float | No
     Args:
         one: the property.
         run: a run of the mission.
-        within_s: in how many simulated seconds the second condition is to follow the first one (*after … eventually*);
-            None: for any, judged as `waited_long_enough` says.
 
     Raises:
         PropertyError: a condition cannot be parsed, or names something that does not exist.
     """
-    parsed = [parse_condition(text, team_of(run), declared_of(run)) for _, text in one.conditions]
-    within = None if within_s is None else int(within_s * 1000 / run.tick_ms + 1e-9)
-    return Property(one.name, one.words, monitor=lambda run: _ConditionMonitor(one.form, parsed, run, within))
+    parsed = parse_conditions(one, team_of(run), declared_of(run))
+    return Property(one.name, one.words, monitor=lambda run: _ConditionMonitor(one, parsed, run))
+
+
+def parse_conditions(one: AskedProperty, team: Sequence[Member], declared: Team | None) -> list[AgentCondition]:
+    """The conditions of a property, in their order.
+
+    Raises:
+        PropertyError: its list has a mistake, a condition cannot be parsed, or names something that does not exist.
+    """
+    mistake = list_mistake(one) if one.form in LISTS else None
+    if mistake is not None:
+        raise PropertyError(*mistake)
+    return [parse_condition(text, team, declared) for _, text in one.conditions]
 
 
 def _not(one: SensedCondition) -> SensedCondition:
@@ -196,46 +243,29 @@ def _both(one: SensedCondition, other: SensedCondition) -> SensedCondition:
     return SensedCondition((*one.agents, *other.agents), holds, one.reads_shared or other.reads_shared)
 
 
-class _ConditionMonitor:
-    """Monitors a custom property in a run of the simulator; `within` how many steps a second condition is to follow."""
+def _either(one: SensedCondition, other: SensedCondition) -> SensedCondition:
+    return _not(_both(_not(one), _not(other)))
 
-    def __init__(
-        self, form: Form, conditions: Sequence[AgentCondition], run: Simulation, within: int | None = None
-    ) -> None:
-        self._form = form
+
+class _ConditionMonitor:
+    """Monitors a custom property in a run of the simulator, which is before its first step."""
+
+    def __init__(self, one: AskedProperty, conditions: Sequence[AgentCondition], run: Simulation) -> None:
         self._conditions = conditions
         self._run = run
-        self._decided = RunConditions(conditions, run)
-        self._waits_since = 0 if form is Form.EVENTUALLY else -1
-        self._stayed = False
-        self._within = within
+        self._decided = simulated_conditions(conditions, run)
+        self._automaton = PropertyAutomaton(one, run.tick_ms)
+
+    @property
+    def is_kept(self) -> bool:
+        return self._automaton.standing is Standing.KEPT
 
     def after_step(self) -> bool:
-        first, second = self._holds(self._conditions[0]), self._holds(self._conditions[-1])
-        match self._form:
-            case Form.NEVER:
-                return first
-            case Form.EVENTUALLY:
-                self._waits_since = -1 if first or self._waits_since < 0 else self._waits_since
-            case Form.AFTER:
-                if second:
-                    self._waits_since = -1
-                elif first and self._waits_since < 0:
-                    self._waits_since = self._run.tick
-                return self._is_late()
-            case Form.STAYS:
-                broken = self._stayed and not first and not second
-                self._stayed = first and not second
-                return broken
-        return False
+        truths = [self._decided.holds(condition) for condition in self._conditions]
+        return self._automaton.read(self._run.tick, truths) is Standing.BROKEN
 
-    def _is_late(self) -> bool:
-        return self._within is not None and 0 <= self._waits_since < self._run.tick - self._within
-
-    def at_end(self) -> bool:
-        if self._waits_since < 0 or (self._within is not None and self._run.outcome == "time"):
+    def at_end(self, outcome: str) -> bool:
+        automaton = self._automaton
+        if not automaton.is_broken_by_end() or (automaton.deadline is not None and outcome == "time"):
             return False
-        return waited_long_enough(self._run, self._waits_since)
-
-    def _holds(self, condition: AgentCondition) -> bool:
-        return self._decided.holds(condition)
+        return waited_long_enough(outcome, self._run.tick, automaton.waits_since)

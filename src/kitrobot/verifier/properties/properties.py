@@ -62,6 +62,26 @@ Condition = tuple[tuple[Fact, ...], ...] | SensedCondition
 """A condition on a state: all facts of one of these clauses, or a condition on sensed values."""
 
 
+BROKEN, KEPT = -1, -2
+"""What a history comes to that breaks a property, and one that no step can break any more."""
+
+
+@dataclass(frozen=True)
+class History:
+    """A property of safety that depends on what came before.
+
+    Attributes:
+        conditions: what it is about.
+        size: how many memories there are; the first one, before any state, is 0.
+        step: the memory after a state, `BROKEN` or `KEPT`; of the memory before it, of which conditions hold in it, and
+            of which of them did not hold in the state before.
+    """
+
+    conditions: tuple[Condition, ...]
+    size: int
+    step: Callable[[int, tuple[bool, ...], tuple[bool, ...]], int]
+
+
 @dataclass(frozen=True)
 class Property:
     """One property.
@@ -73,11 +93,13 @@ class Property:
         is_wrong: whether a state breaks it that nothing leaves, or from which on nothing happens (see `standstill`);
             None for one that no state breaks.
         waits: whether a state waits for what is to come; of liveness only. A run that waits for ever breaks it.
+        also_waits: more such conditions, each by itself.
         from_start: whether only waiting since the first state counts.
         about, concerned: the events, or states, that the property is about; where none comes up, it is vacuous. Without
             both it always is in question.
         never: what breaks it in any state.
         breaks: what must hold before, and after, a step that breaks it.
+        history: what breaks it by what came before.
         since: from which states on waiting counts; of liveness only. None: from any, but see `from_start`.
         monitor: starts a monitor of a run of the simulator, which is before its first step, if its events do not decide
             whether it breaks the property.
@@ -91,11 +113,13 @@ class Property:
     broken_by: frozenset[Move | EventKind] = frozenset()
     is_wrong: Condition | None = None
     waits: Condition | None = None
+    also_waits: tuple[Condition, ...] = ()
     from_start: bool = False
     about: frozenset[Move | EventKind] = frozenset()
     concerned: Condition | None = None
     never: Condition | None = None
     breaks: tuple[Condition, Condition] | None = None
+    history: History | None = None
     since: Condition | None = None
     monitor: Callable[[Simulation], RunMonitor] | None = None
     seen_as: tuple[int, ...] = ()
@@ -105,7 +129,7 @@ class Property:
     @property
     def keeps_steps(self) -> bool:
         """Whether judging it needs the steps between states."""
-        return self.waits is not None or self.breaks is not None or self.is_wrong is not None
+        return any(one is not None for one in (self.waits, self.breaks, self.is_wrong, self.history))
 
 
 _CONTACT = Property(

@@ -18,15 +18,21 @@ LONG_ENOUGH = 2
 class RunMonitor(Protocol):
     """Monitors a run of the simulator for a violation of a property."""
 
+    @property
+    def is_kept(self) -> bool:
+        """Whether nothing that may come breaks it."""
+
     def after_step(self) -> bool:
         """Whether the step that was just made broke it."""
 
-    def at_end(self) -> bool:
-        """Whether the run, which is over, broke it."""
+    def at_end(self, outcome: str) -> bool:
+        """Whether the run broke it if it ends here with this outcome."""
 
 
 class _InvariantMonitor:
     """Reports a violation when a condition holds once."""
+
+    is_kept = False
 
     def __init__(self, test: Callable[[], bool]) -> None:
         self._test = test
@@ -34,12 +40,14 @@ class _InvariantMonitor:
     def after_step(self) -> bool:
         return self._test()
 
-    def at_end(self) -> bool:
+    def at_end(self, outcome: str) -> bool:
         return False
 
 
 class _WaitMonitor:
     """Reports a violation when a condition holds up to the end of the run, and long enough."""
+
+    is_kept = False
 
     def __init__(self, run: Simulation, test: Callable[[], bool]) -> None:
         self._run = run
@@ -53,13 +61,13 @@ class _WaitMonitor:
             self._since = self._run.tick
         return False
 
-    def at_end(self) -> bool:
-        return self._since >= 0 and waited_long_enough(self._run, self._since)
+    def at_end(self, outcome: str) -> bool:
+        return self._since >= 0 and waited_long_enough(outcome, self._run.tick, self._since)
 
 
-def waited_long_enough(run: Simulation, since: int) -> bool:
-    """Whether a run that is over shows that what was waited for since a step would never have come."""
-    return run.outcome != "time" or LONG_ENOUGH * (run.tick - since) >= run.tick
+def waited_long_enough(outcome: str, tick: int, since: int) -> bool:
+    """Whether a run that ended at a tick shows that what was waited for since another one would never have come."""
+    return outcome != "time" or LONG_ENOUGH * (tick - since) >= tick
 
 
 def loss_monitor(run: Simulation) -> RunMonitor:

@@ -1,17 +1,18 @@
-"""Conditions over several agents in a run of the simulator, decided on what the agents read in their last tick."""
+"""Conditions over several agents in a run, simulated or recorded, on what the agents read in their last tick."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from kitrobot.mission.model import Team
+from kitrobot.primitives.robot import Robot
 from kitrobot.sim.breakpoints import Condition as Test
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.tables.state import Team as TeamTables
 from kitrobot.sim.tables.team_columns import T_ROLE
 from kitrobot.sim.team.meetings import in_group
-from kitrobot.verifier.properties.conditions import AgentCondition, Member
+from kitrobot.verifier.properties.conditions import AgentCondition, Member, Members
 
 _MOST_KNOWN = 200_000
 """Answers that are remembered at most; then they are forgotten, all at once."""
@@ -46,12 +47,26 @@ class AgentValuation:
 
 
 class RunConditions:
-    """Decides conditions on a run as it is now. The same values come up often, so each answer is remembered."""
+    """Decides conditions on a run as it is now. The same values come up often, so each answer is remembered.
 
-    def __init__(self, conditions: Iterable[AgentCondition], run: Simulation) -> None:
-        self._run = run
+    Args:
+        conditions: those that are asked for.
+        robots: the robot of each agent, by the agent's number.
+        cells: what an agent has read and stores, by its number.
+        members: the numbers of the agents that are in a role or a group.
+    """
+
+    def __init__(
+        self,
+        conditions: Iterable[AgentCondition],
+        robots: Mapping[int, Robot],
+        cells: Callable[[int], tuple[int, ...]],
+        members: Members,
+    ) -> None:
+        self._cells = cells
+        self._members = members
         self._tests = {
-            (agent, test): Test(test, run.members[agent].robot)
+            (agent, test): Test(test, robots[agent])
             for one in conditions
             for test, agents in one.tests.items()
             for agent in agents
@@ -60,13 +75,12 @@ class RunConditions:
 
     def holds(self, condition: AgentCondition) -> bool:
         """Whether one of them holds."""
-        return condition.holds(self._truth, lambda name: members_in_set(self._run, self._run.state.team, name))
+        return condition.holds(self._truth, self._members)
 
     def _truth(self, agent: int, test: str) -> bool:
         if (agent, test) not in self._tests:
             return False
-        machine = self._run.members[agent].machine
-        cells = tuple(int(cell) for cell in machine.cells[: machine.layout.cells])
+        cells = self._cells(agent)
         key = agent, test, cells
         known = self._known.get(key)
         if known is None:
@@ -74,3 +88,14 @@ class RunConditions:
                 self._known.clear()
             known = self._known[key] = self._tests[agent, test].holds(AgentValuation(cells))
         return known
+
+
+def simulated_conditions(conditions: Iterable[AgentCondition], run: Simulation) -> RunConditions:
+    """Decides conditions on a run of the simulator."""
+
+    def cells(agent: int) -> tuple[int, ...]:
+        machine = run.members[agent].machine
+        return tuple(int(cell) for cell in machine.cells[: machine.layout.cells])
+
+    robots = {agent.index: agent.robot for agent in run.members}
+    return RunConditions(conditions, robots, cells, lambda name: members_in_set(run, run.state.team, name))

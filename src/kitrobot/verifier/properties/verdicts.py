@@ -13,6 +13,7 @@ from kitrobot.verifier.exploration.exploration import StateSpace, explore
 from kitrobot.verifier.model.model import Model, State
 from kitrobot.verifier.model.timing import Timing
 from kitrobot.verifier.properties.fair_cycles import find_fair_cycle, find_first, find_first_crossing, holds_somewhere
+from kitrobot.verifier.properties.histories import HISTORY_BYTES, find_broken_history
 from kitrobot.verifier.properties.properties import Property
 from kitrobot.verifier.properties.standstill import find_standstill
 from kitrobot.verifier.tables.events import Event
@@ -105,6 +106,7 @@ def check_properties(
     began = budget.clock()
     share = None if budget.seconds is None else budget.seconds * (_SHARE if keeps_steps else 1.0)
     reserve = _LIVENESS_BYTES if any(one.waits is not None for one in properties) else _SAFETY_BYTES
+    reserve = max(reserve, *(HISTORY_BYTES * one.history.size for one in properties if one.history is not None), 0)
     space = explore(model, replace(budget, seconds=share), keeps_steps, engine, reserve)
     space.interruption = budget.interruption(began)
     first = space.first_occurrences()
@@ -163,6 +165,9 @@ def _find_safety_violation(space: StateSpace, one: Property) -> Counterexample |
     if one.breaks is not None:
         number, step = find_first_crossing(space, *one.breaks)
         return None if number < 0 else _counterexample_to(space, space.path(number), step)
+    if one.history is not None:
+        path = find_broken_history(space, one.history)
+        return _counterexample_to(space, path) if path else None
     return None
 
 
@@ -173,7 +178,10 @@ def _find_liveness_violation(space: StateSpace, one: Property) -> Counterexample
         return None if number < 0 else _counterexample_to(space, space.path(number), repeats=True)
     if one.waits is None:
         return None
-    lead, around = find_fair_cycle(space, one)
+    for waits in (one.waits, *one.also_waits):
+        lead, around = find_fair_cycle(space, replace(one, waits=waits))
+        if around:
+            break
     if not around:
         return None
     path = [*space.path(lead[0]), *lead[1:]]

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import chain, combinations
+from typing import NamedTuple
 
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.tables import columns as c
@@ -112,8 +113,48 @@ def _moments(
         )
 
 
-def violation_tick(one: Property, run: Simulation, faults: Sequence[InjectedFault], stop: Callable[[], bool]) -> int:
-    """The step in which a run broke the property; -1 if it did not, or the search was stopped.
+class RunJudgement(NamedTuple):
+    """Whether a run breaks a property, and the step at which that is known; None: the search was stopped there."""
+
+    is_broken: bool | None
+    tick: int
+
+
+class RunMonitoring:
+    """Monitors a run for a property, by its monitor or by the events and the outcome of the run.
+
+    The run is before its first step. Events are kept of the last call of `advance` only, so `breaks` comes after each.
+    """
+
+    def __init__(self, one: Property, run: Simulation) -> None:
+        self._property, self._run = one, run
+        self._monitor = one.monitor(run) if one.monitor is not None else None
+        self.steps = 1 if self._monitor is not None else _CHUNK if one.seen_as else _LONG_CHUNK
+        """So many steps may be made at once."""
+
+    @property
+    def is_kept(self) -> bool:
+        """Whether nothing that may come breaks it."""
+        return self._monitor is not None and self._monitor.is_kept
+
+    def violation(self) -> int:
+        """The step in which the last steps broke it; -1 if they did not."""
+        if self._monitor is None:
+            return _seen(self._property, self._run)
+        return self._run.tick if self._monitor.after_step() else -1
+
+    def is_broken_by_end(self, outcome: str) -> bool:
+        """Whether the run broke it if it ends here with this outcome."""
+        if self._monitor is not None:
+            return self._monitor.at_end(outcome)
+        has_said_why = self._property.spares_teams and gave_up(self._run.state.team)
+        return outcome in self._property.ends_as and not has_said_why
+
+
+def judge_run(
+    one: Property, run: Simulation, faults: Sequence[InjectedFault], stop: Callable[[], bool]
+) -> RunJudgement:
+    """Judges a run by a property; the run goes on until that is known, and no further.
 
     Args:
         one: the property.
@@ -122,28 +163,33 @@ def violation_tick(one: Property, run: Simulation, faults: Sequence[InjectedFaul
         stop: polled now and then; True stops the search.
     """
     left = list(faults)
-    monitor = one.monitor(run) if one.monitor is not None else None
-    chunk = 1 if monitor is not None else _CHUNK if one.seen_as else _LONG_CHUNK
+    monitoring = RunMonitoring(one, run)
     next_poll = 0
     while run.outcome is None or left:
         if run.tick >= next_poll:
             next_poll = run.tick + _CHUNK
             if stop():
-                return -1
+                return RunJudgement(None, run.tick)
         if left and run.tick >= left[0].tick:
             fault = left.pop(0)
             run.inject_fault(fault.agent, fault.kind)
             continue
         if run.outcome is not None:
             break
-        run.advance(min(chunk, left[0].tick - run.tick) if left else chunk)
-        found = _seen(one, run) if monitor is None else run.tick if monitor.after_step() else -1
+        run.advance(min(monitoring.steps, left[0].tick - run.tick) if left else monitoring.steps)
+        found = monitoring.violation()
         if found >= 0:
-            return found
-    if monitor is not None:
-        return run.tick if monitor.at_end() else -1
-    has_said_why = one.spares_teams and gave_up(run.state.team)
-    return run.tick if run.outcome in one.ends_as and not has_said_why else -1
+            return RunJudgement(True, found)
+        if monitoring.is_kept:
+            return RunJudgement(False, run.tick)
+    assert run.outcome is not None, "the run has ended"
+    return RunJudgement(monitoring.is_broken_by_end(run.outcome), run.tick)
+
+
+def violation_tick(one: Property, run: Simulation, faults: Sequence[InjectedFault], stop: Callable[[], bool]) -> int:
+    """The step in which a run broke the property; -1 if it did not, or the search was stopped. See `judge_run`."""
+    judged = judge_run(one, run, faults, stop)
+    return judged.tick if judged.is_broken else -1
 
 
 def _seen(one: Property, run: Simulation) -> int:

@@ -77,7 +77,10 @@ def find_culprits(model: Model, verdict: Verdict) -> tuple[Culprit, ...]:
         if counterexample.steps
         else None
     )
-    condition = verdict.property.never or (verdict.property.breaks or (None,))[0]
+    broken = verdict.property
+    condition = (
+        broken.never or (broken.breaks or (None,))[0] or (broken.history.conditions[-1] if broken.history else None)
+    )
     if isinstance(condition, SensedCondition):
         return _at(model, before, condition.agents, verdict.property.sentence)
     if event is None:

@@ -104,7 +104,7 @@ def select_testable(
     """
     known: dict[str, bool] = {}
     for agent in header.agents:
-        is_known = _is_as_recorded(header, agent.name, _robot(header, agent, robots, works))
+        is_known = is_as_recorded(header, agent.name, _robot(header, agent, robots, works))
         for program in {agent.program, *(one[0] for one in header.inner.get(header.image_name(agent), ()) if one)}:
             known[program] = is_known and known.get(program, True)
     made, all_of_them = [], True
@@ -124,7 +124,7 @@ def _robot(
     return with_team(robot, works) if robot is not None and is_of_team else robot
 
 
-def _is_as_recorded(header: TraceHeader, agent: str, robot: Robot | None) -> bool:
+def is_as_recorded(header: TraceHeader, agent: str, robot: Robot | None) -> bool:
     """Whether the cells of a robot are those that were recorded of an agent with it."""
     if robot is None:
         return False

@@ -1,0 +1,1 @@
+"""One property, several judges: every order of events, one run, many runs, every failure, recordings."""

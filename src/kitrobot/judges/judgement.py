@@ -1,0 +1,97 @@
+"""What a judge says of a property: kept, broken or not decided, with the ground for it.
+
+Left to others: how a judge comes to it (mission_judges, recording_judge, run_watch).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Any
+
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.text.sentences import Sentence
+
+
+class Judge(StrEnum):
+    """Who judges."""
+
+    CHECK = "check"
+    RUN = "run"
+    RUNS = "runs"
+    FAILURES = "failures"
+    RECORDING = "recording"
+
+
+class Ruling(StrEnum):
+    """What a judge says. Each means what that judge saw: one run, many, or all orders of events."""
+
+    KEPT = "kept"
+    BROKEN = "broken"
+    NOT_DECIDED = "not decided"
+
+
+class JudgeError(KitRobotError):
+    """A question to judges that makes no sense."""
+
+
+@dataclass(frozen=True, slots=True)
+class Judgement:
+    """What one judge says of one property.
+
+    Attributes:
+        judge: who says it.
+        subject: the file that it is said of.
+        question: the property as it was asked: its name, or its text.
+        words: what it demands.
+        ruling: what is said.
+        reason: the ground: where it broke, in how many runs it was kept, why it is not decided.
+        tick: the tick in which it broke; -1 where there is none.
+        tick_ms: simulated time of a tick, in ms.
+        seed: the seed of the run that breaks it; None where there is none.
+        faults: what was done to robots in that run: the tick, the robot's name, and what (`fail`, `stall`, `mute`).
+        agents: the robots that the property speaks of.
+    """
+
+    judge: Judge
+    subject: str
+    question: str
+    words: Sentence
+    ruling: Ruling
+    reason: Sentence
+    tick: int = -1
+    tick_ms: float = 0.0
+    seed: int | None = None
+    faults: tuple[tuple[int, str, str], ...] = ()
+    agents: tuple[str, ...] = ()
+
+    @property
+    def seconds(self) -> float | None:
+        """When it broke, in simulated seconds; None where there is no such moment."""
+        return round(self.tick * self.tick_ms / 1000, 3) if self.tick >= 0 else None
+
+    def to_json(self) -> dict[str, Any]:
+        """As plain values, in the published shape."""
+        return {
+            "judge": self.judge.value,
+            "of": self.subject,
+            "property": self.question,
+            "sentence": str(self.words),
+            "ruling": self.ruling.value,
+            "reason": str(self.reason),
+            "tick": self.tick if self.tick >= 0 else None,
+            "seconds": self.seconds,
+            "seed": self.seed,
+            "failures": [
+                {"seconds": round(tick * self.tick_ms / 1000, 3), "agent": agent, "what": what}
+                for tick, agent, what in self.faults
+            ],
+            "agents": list(self.agents),
+        }
+
+
+def exit_status(judgements: Iterable[Judgement]) -> int:
+    """0 when all is kept, 1 when something is broken, 3 when nothing is and something is not decided."""
+    rulings = {one.ruling for one in judgements}
+    return 1 if Ruling.BROKEN in rulings else 3 if Ruling.NOT_DECIDED in rulings else 0

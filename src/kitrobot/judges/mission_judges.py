@@ -1,0 +1,208 @@
+"""Asks judges of a mission for their word on properties: the check, one run, many runs, every failure.
+
+Each judge is what its own command is (`verify`, `run --watch`, `probability`, `run --fail-sweep`); here all answer in
+one form, so that their words can be compared.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+
+from kitrobot.checking.verification import Finding, Verification, VerificationError, VerificationOptions, verify
+from kitrobot.experiments.probability import ProbabilityOptions, find_probability
+from kitrobot.experiments.run_question import OUTCOMES, RunJudge
+from kitrobot.judges.failure_judge import FailureOptions, judge_failures
+from kitrobot.judges.judgement import Judge, JudgeError, Judgement, Ruling
+from kitrobot.mission.property_text import PropertyText, read_property
+from kitrobot.text.phrases import listed, shown
+from kitrobot.text.sentences import Sentence
+from kitrobot.verifier.model.programs import AbstractionError
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.conditions import PropertyError
+from kitrobot.verifier.properties.verdicts import Answer
+from kitrobot.workspace.mission_run import PreparedRun
+
+MISSION_JUDGES = (Judge.CHECK, Judge.RUN, Judge.RUNS, Judge.FAILURES)
+"""Those that can be asked of a mission."""
+USUAL_RUNS = 100
+
+
+@dataclass(frozen=True, slots=True)
+class JudgeOptions:
+    """What is chosen for judges.
+
+    Attributes:
+        judges: those that are asked.
+        timings: the assumptions of the check.
+        check_seconds: at most so long for the check of one property.
+        states: at most so many states in the check; None for as many as there is time and memory for.
+        runs: of many runs, how many.
+        failures: at how many moments robots fail, and in how many processes; also of many runs.
+        stop: asked now and then whether to break off.
+    """
+
+    judges: tuple[Judge, ...] = MISSION_JUDGES
+    timings: tuple[Timing, ...] = (Timing.LOCKSTEP,)
+    check_seconds: float = 60.0
+    states: int | None = None
+    runs: int = USUAL_RUNS
+    failures: FailureOptions = field(default_factory=FailureOptions)
+    stop: Callable[[], bool] = lambda: False
+
+
+def judge_options(
+    judges: Sequence[str], timings: Sequence[str], check_seconds: float, runs: int, moments: int, jobs: int | None
+) -> JudgeOptions:
+    """The options by the names of judges and timings, each known.
+
+    Raises:
+        JudgeError: a name is not known, or a number makes no sense.
+    """
+    for names, known in (
+        (judges, [one.value for one in MISSION_JUDGES]),
+        (timings, [one.value for one in Timing]),
+    ):
+        unknown = next((name for name in names if name not in known), None)
+        if unknown is not None:
+            message = Sentence("expected one of {known}, found {found}", listed(known), shown(str(unknown)))
+            raise JudgeError(message)
+    if not (math.isfinite(check_seconds) and check_seconds > 0):
+        raise JudgeError(Sentence("a check takes more than 0 seconds"))
+    return JudgeOptions(
+        tuple(one for one in MISSION_JUDGES if one.value in judges),
+        tuple(one for one in Timing if one.value in timings),
+        check_seconds,
+        runs=runs,
+        failures=FailureOptions(moments, jobs),
+    )
+
+
+def judge_mission(prepared: PreparedRun, questions: Sequence[str], options: JudgeOptions) -> Iterator[Judgement]:
+    """What judges say of properties of a mission, one after the other; the run needs a time limit.
+
+    Args:
+        prepared: the mission, with the seed and the chance of failures of its first run.
+        questions: properties as text, or names of those of the mission; none for all of its own.
+        options: who is asked, and for how long.
+
+    Raises:
+        QuestionError: a question cannot be understood, or the mission has no such property.
+        PropertyError: a condition cannot be understood, or names something that does not exist.
+        JudgeError: a number of the options makes no sense.
+    """
+    texts = list(questions) or [one.name for one in prepared.opened.mission.properties]
+    for question in [read_property(text) for text in texts]:
+        # Whoever asks for nonsense hears it from the first judge, and not from some.
+        judge = RunJudge(question, prepared.spec)
+        for name in options.judges:
+            if name is Judge.CHECK:
+                yield _judge_check(prepared, question, judge, options)
+            elif name is Judge.RUN:
+                yield _judge_run(prepared, question, judge, options)
+            elif name is Judge.RUNS:
+                yield _judge_runs(prepared, question, options)
+            elif name is Judge.FAILURES:
+                yield judge_failures(prepared, question, options.failures, options.stop)
+
+
+def _judge_run(prepared: PreparedRun, question: PropertyText, judge: RunJudge, options: JudgeOptions) -> Judgement:
+    seed = prepared.spec.seed
+    answer = judge.answer(seed, options.stop)
+    made = _judgement(Judge.RUN, prepared, question, judge.words)
+    if answer is None:
+        return replace(made, reason=Sentence("it was broken off"))
+    moment = f"{answer.tick * judge.tick_ms / 1000:.2f}"
+    if answer.holds:
+        return replace(made, ruling=Ruling.KEPT, reason=Sentence("decided at {seconds} s", moment), seed=seed)
+    reason = Sentence("broken at {seconds} s (tick {tick})", moment, answer.tick)
+    return replace(made, ruling=Ruling.BROKEN, reason=reason, tick=answer.tick, tick_ms=judge.tick_ms, seed=seed)
+
+
+def _judge_runs(prepared: PreparedRun, question: PropertyText, options: JudgeOptions) -> Judgement:
+    # Without a precision that could end them sooner, so many runs are made as are asked for.
+    chosen = ProbabilityOptions(0.001, most_runs=options.runs, jobs=options.failures.jobs)
+    found = find_probability(prepared, question.text, chosen, stop=options.stop)
+    made = _judgement(Judge.RUNS, prepared, question, found.words)
+    if found.interval is None:
+        return replace(made, reason=Sentence("it was broken off"))
+    low, high = (f"{one:.3f}" for one in (found.interval.low, found.interval.high))
+    if found.counterexamples:
+        first = found.counterexamples[0]
+        reason = Sentence(
+            "kept in {kept} of {runs} runs, first broken with seed {seed}; its probability is {low} to {high}",
+            *(found.holds, found.runs, first.seed, low, high),
+        )
+        return replace(
+            made, ruling=Ruling.BROKEN, reason=reason, tick=first.tick, tick_ms=found.tick_ms, seed=first.seed
+        )
+    reason = Sentence("kept in {runs} runs; its probability is {low} to {high}", found.runs, low, high)
+    return replace(made, ruling=Ruling.KEPT, reason=reason)
+
+
+def _judge_check(prepared: PreparedRun, question: PropertyText, judge: RunJudge, options: JudgeOptions) -> Judgement:
+    made = _judgement(Judge.CHECK, prepared, question, judge.words)
+    if question.within_s is not None:
+        return replace(made, reason=Sentence("it counts seconds, and the states of a check have none"))
+    if question.name in OUTCOMES:
+        return replace(made, reason=Sentence("an outcome is of runs; a check is asked for properties"))
+    name = question.name or question.text
+    asked = () if question.asked is None else (replace(question.asked, name=name),)
+    chosen = VerificationOptions(
+        (question.name,) if question.name else (),
+        options.timings,
+        states=options.states,
+        seconds=options.check_seconds,
+        stop=options.stop,
+        asked=asked,
+    )
+    try:
+        found = verify(prepared, chosen)
+    except (PropertyError, AbstractionError, VerificationError) as error:
+        return replace(made, reason=error.message)
+    return _of_check(made, found)
+
+
+def _of_check(made: Judgement, found: Verification) -> Judgement:
+    """One word on all assumptions that were checked."""
+    broken: Finding | None = None
+    for column in found.columns:
+        for finding in column.findings:
+            is_broken = finding.verdict.answer is Answer.BROKEN
+            if is_broken and (broken is None or (broken.confirmed is None and finding.confirmed is not None)):
+                broken = finding
+    states = sum(column.judged.states for column in found.columns)
+    timings = ", ".join(column.judged.timing.value for column in found.columns)
+    if broken is not None and broken.confirmed is not None:
+        run = broken.confirmed
+        reason = Sentence(
+            "an order of events breaks it, and so does the run with seed {seed}, at {seconds} s",
+            *(run.seed, f"{run.tick * found.tick_ms / 1000:.2f}"),
+        )
+        faults = tuple((one.tick, one.agent, one.kind) for one in run.faults)
+        return replace(
+            made,
+            ruling=Ruling.BROKEN,
+            reason=reason,
+            tick=run.tick,
+            tick_ms=found.tick_ms,
+            seed=run.seed,
+            faults=faults,
+        )
+    if broken is not None:
+        reason = Sentence("an order of events of the model breaks it; no run that was tried shows it")
+        return replace(made, ruling=Ruling.BROKEN, reason=reason)
+    answers = set(found.answers)
+    if Answer.NOT_FINISHED in answers or not answers:
+        return replace(made, reason=Sentence("nothing found in {states} states, and there are more", f"{states:,}"))
+    if answers == {Answer.VACUOUS}:
+        return replace(
+            made, ruling=Ruling.KEPT, reason=Sentence("what it is about never comes, in {states} states", f"{states:,}")
+        )
+    reason = Sentence("kept in every order of events, {states} states ({timings})", f"{states:,}", timings)
+    return replace(made, ruling=Ruling.KEPT, reason=reason)
+
+
+def _judgement(judge: Judge, prepared: PreparedRun, question: PropertyText, words: Sentence) -> Judgement:
+    return Judgement(judge, prepared.opened.name, question.text, words, Ruling.NOT_DECIDED, Sentence(""))

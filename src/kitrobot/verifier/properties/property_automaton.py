@@ -1,0 +1,200 @@
+"""The meaning of a property on one run, tick by tick: the one place in which runs, recordings and teams are judged.
+
+An automaton is told at each tick which of the conditions hold (`AskedProperty.conditions`, in their order). It knows at
+each tick whether the property is broken, kept whatever comes, or open, and since when something is waited for. It is
+plain numbers, so it can be copied and sent.
+
+A condition *comes* in a tick in which it holds and did not hold in the tick before; in the first tick if it holds then.
+Seconds are counted in ticks: of a deadline the last tick that is not late, of a duration the first one that is enough.
+A run that ends stays as it is: what holds in its last tick holds on, and what is waited for then never comes.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from enum import Enum
+
+from kitrobot.mission.property_forms import AskedProperty, Form, VisitOrder
+
+_ROUNDING = 1e-9
+"""Of a tick: seconds are decimal numbers."""
+
+
+class Standing(Enum):
+    """How a property stands after a tick; only OPEN changes."""
+
+    OPEN = "open"
+    KEPT = "kept"
+    BROKEN = "broken"
+
+
+@dataclass(slots=True)
+class PropertyAutomaton:
+    """A property while a run goes by.
+
+    Attributes:
+        asked: the property.
+        tick_ms: simulated time of a tick, in ms.
+        standing: how it stands.
+        waits_since: the tick since which something is waited for; -1 for nothing.
+        decided_at: the tick in which `standing` stopped being OPEN; -1 before.
+    """
+
+    asked: AskedProperty
+    tick_ms: float
+    standing: Standing = Standing.OPEN
+    waits_since: int = -1
+    decided_at: int = -1
+    _count: int = 0
+    _visited: set[int] = field(default_factory=set)
+    _last: list[int] = field(default_factory=list)
+    _before: tuple[bool, ...] = ()
+
+    def __post_init__(self) -> None:
+        size = len(self.asked.conditions)
+        self._before = (False,) * size
+        self._last = [0] * size
+        if self.asked.form in (Form.EVENTUALLY, Form.AGAIN, Form.VISIT):
+            self.waits_since = 0
+
+    @property
+    def deadline(self) -> int | None:
+        """Ticks in which what is expected comes; None for any number."""
+        seconds = self.asked.seconds
+        return math.floor(seconds * 1000 / self.tick_ms + _ROUNDING) if seconds else None
+
+    def read(self, tick: int, truths: Sequence[bool]) -> Standing:
+        """Takes in one tick; ticks ascend, and the first one is 1.
+
+        Args:
+            tick: its number.
+            truths: which of the conditions hold.
+        """
+        if self.standing is Standing.OPEN:
+            now = tuple(truths)
+            comes = tuple(one and not was for one, was in zip(now, self._before, strict=True))
+            self.standing = _STEPS[self.asked.form](self, tick, now, comes)
+            self._before = now
+            if self.standing is not Standing.OPEN:
+                self.decided_at = tick
+                if self.standing is Standing.KEPT:
+                    self.waits_since = -1
+        return self.standing
+
+    def is_broken_by_end(self) -> bool:
+        """Whether a run that ends here, and stays as it is, breaks it."""
+        return self.standing is Standing.BROKEN or (self.standing is Standing.OPEN and self.waits_since >= 0)
+
+    def _is_late(self, tick: int, since: int) -> bool:
+        deadline = self.deadline
+        return deadline is not None and since >= 0 and tick - since > deadline
+
+    def _never(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> Standing:
+        return _broken_if(all(now))
+
+    def _eventually(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> Standing:
+        if self._is_late(tick, 0):
+            return Standing.BROKEN
+        return Standing.KEPT if now[0] else Standing.OPEN
+
+    def _after(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> Standing:
+        # What comes in a tick that is too late comes too late, though nothing is waited for then.
+        if self._is_late(tick, self.waits_since):
+            return Standing.BROKEN
+        if now[1]:
+            self.waits_since = -1
+        elif now[0] and self.waits_since < 0:
+            self.waits_since = tick
+        return Standing.OPEN
+
+    def _stays(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> Standing:
+        first, second = self._before
+        return _broken_if(first and not second and not any(now))
+
+    def _holds(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> Standing:
+        if comes[0]:
+            self._count = tick
+        enough = math.ceil(self.asked.seconds * 1000 / self.tick_ms - _ROUNDING)
+        return _broken_if(self._before[0] and not now[0] and tick - self._count < enough)
+
+    def _at_most(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> Standing:
+        self._count += comes[0]
+        return _broken_if(self._count > self.asked.times)
+
+    def _before_other(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> Standing:
+        return Standing.KEPT if now[0] else _broken_if(now[1])
+
+    def _again(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> Standing:
+        if any(self._is_late(tick, last) for last in self._last):
+            return Standing.BROKEN
+        self._last = [tick if one else last for one, last in zip(now, self._last, strict=True)]
+        missing = [last for one, last in zip(now, self._last, strict=True) if not one]
+        self.waits_since = min(missing, default=-1)
+        return Standing.OPEN
+
+    def _visit(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> Standing:
+        if len(self._visited) < len(now) and self._is_late(tick, 0):
+            return Standing.BROKEN
+        match self.asked.order:
+            case VisitOrder.ANY:
+                self._visited.update(at for at, one in enumerate(now) if one)
+            case VisitOrder.GIVEN:
+                following = visit_in_order(len(self._visited), now)
+                if following < 0:
+                    return Standing.BROKEN
+                self._visited = set(range(following))
+            case VisitOrder.TURN:
+                following, visits = visit_in_turn(self._count, comes)
+                if following < 0:
+                    return Standing.BROKEN
+                self._visited.update((self._count + step) % len(now) for step in range(visits))
+                self._count = following
+        if len(self._visited) < len(now):
+            return Standing.OPEN
+        self.waits_since = -1
+        return Standing.OPEN if self.asked.order is VisitOrder.TURN else Standing.KEPT
+
+
+def visit_in_order(visited: int, now: Sequence[bool]) -> int:
+    """How many conditions have come in their order after a tick; -1 if one held before its turn.
+
+    Args:
+        visited: how many had come before.
+        now: which hold.
+    """
+    while visited < len(now) and now[visited]:
+        visited += 1
+    return -1 if any(now[visited:]) else visited
+
+
+def visit_in_turn(following: int, comes: Sequence[bool]) -> tuple[int, int]:
+    """The condition that is to come next after a tick, -1 if another one came; and how many came.
+
+    Args:
+        following: the condition that was to come next.
+        comes: which come in this tick.
+    """
+    visits = 0
+    while visits < len(comes) and comes[following]:
+        following, visits = (following + 1) % len(comes), visits + 1
+    return (following if visits == sum(comes) else -1), visits
+
+
+def _broken_if(broken: bool) -> Standing:
+    return Standing.BROKEN if broken else Standing.OPEN
+
+
+_Step = Callable[[PropertyAutomaton, int, tuple[bool, ...], tuple[bool, ...]], Standing]
+_STEPS: dict[Form, _Step] = {
+    Form.NEVER: PropertyAutomaton._never,
+    Form.EVENTUALLY: PropertyAutomaton._eventually,
+    Form.AFTER: PropertyAutomaton._after,
+    Form.STAYS: PropertyAutomaton._stays,
+    Form.HOLDS: PropertyAutomaton._holds,
+    Form.AT_MOST: PropertyAutomaton._at_most,
+    Form.BEFORE: PropertyAutomaton._before_other,
+    Form.AGAIN: PropertyAutomaton._again,
+    Form.VISIT: PropertyAutomaton._visit,
+}
