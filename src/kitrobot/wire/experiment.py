@@ -23,7 +23,7 @@ LONGEST_S = 36_000.0
 """Simulated seconds that each run may take."""
 
 Text = Annotated[str, Field(min_length=1, max_length=LONGEST_TEXT)]
-FoundValue = int | float | str
+FoundValue = float | str
 
 
 class ExperimentAxisShape(BaseModel):

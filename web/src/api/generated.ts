@@ -2083,7 +2083,7 @@ export interface Study {
 /** What varies, and all its values in their order, each once. */
 export interface StudyAxis {
   address: string;
-  values: (number | number | string)[];
+  values: (number | string)[];
 }
 
 /** A measure at a point: of how many runs, and its interval where it has one. */
@@ -2104,7 +2104,7 @@ export interface StudyEntry {
 /** A point: its number, its values by axis, how many runs had which outcome, its cells by measure. */
 export interface StudyPoint {
   number: number;
-  values: (number | number | string)[];
+  values: (number | string)[];
   outcomes: Record<string, number>;
   cells: StudyCell[];
 }
