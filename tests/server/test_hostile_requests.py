@@ -12,6 +12,7 @@ import pytest
 from kitrobot.server.app import create_app
 from kitrobot.server.routes.json_bodies import read_json
 from kitrobot.wire.board import BOARD_REQUEST_MODELS
+from kitrobot.wire.experiment import EXPERIMENT_REQUEST_MODELS
 from kitrobot.wire.run_requests import REQUEST_MODELS
 from kitrobot.wire.sweep import SWEEP_REQUEST_MODELS
 from tests.effort import THOROUGH
@@ -152,6 +153,7 @@ SOCKETS = {
     "/api/run": REQUEST_MODELS,
     "/api/boards": BOARD_REQUEST_MODELS,
     "/api/sweep": SWEEP_REQUEST_MODELS,
+    "/api/experiment": EXPERIMENT_REQUEST_MODELS,
 }
 
 

@@ -69,6 +69,23 @@ class Address:
         unit = f" {self.unit}" if self.unit else ""
         return Sentence("a number from {least} to {most}{unit}", *bounds, unit)
 
+    @property
+    def example(self) -> str:
+        """Values to begin with: all words, or about five numbers around what stands there."""
+        if not self.takes_numbers:
+            return ",".join(self.words)
+        now = 0.0 if self.current is None or isinstance(self.current, str) else float(self.current)
+        low = max(self.least, min(now / 2, now * 1.5))
+        high = min(self.most, max(now / 2, now * 1.5))
+        if high - low < (4 if self.whole else 1e-9):
+            low, high = max(self.least, min(now, self.most - 4)), min(self.most, now + 4)
+        if self.whole:
+            low, high = math.floor(low), math.ceil(high)
+            step: float = max(1, round((high - low) / 4))
+        else:
+            step = (high - low) / 4
+        return f"{low:.6g}:{high:.6g}:{step:.6g}" if step > 0 else f"{low:.6g}"
+
     def read(self, text: str) -> Value:
         """A value from its text.
 

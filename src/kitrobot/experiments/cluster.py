@@ -19,9 +19,9 @@ from typing import Any, Final
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.experiments.addresses import ExperimentError
-from kitrobot.experiments.executor import MOST_DEATHS, Stop, Work, died_row
+from kitrobot.experiments.executor import MOST_DEATHS, Work, died_row
 from kitrobot.experiments.plan import PLAN_FILE, Plan, read_plan
-from kitrobot.experiments.point_runner import Pace, PointRunner
+from kitrobot.experiments.point_runner import Pace, PointRunner, Stop
 from kitrobot.experiments.study_folder import expect_same_version
 from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.child_processes import cores

@@ -6,12 +6,12 @@ was given: a run whose process dies is made again, and after `MOST_DEATHS` it is
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Protocol
 
 from kitrobot.experiments.plan import Function, Plan
-from kitrobot.experiments.point_runner import DIED, Pace, PointRunner, row_bytes
+from kitrobot.experiments.point_runner import DIED, Pace, PointRunner, RunStoppedError, Stop, row_bytes
 from kitrobot.sim.jit.policy import expect_many_runs
 from kitrobot.text.sentences import Sentence
 
@@ -23,8 +23,6 @@ STEPS_OF_A_RUN = 1000
 
 WORTH_WAITING = 1_000_000
 """Steps of one robot in many runs for which a process waits some seconds for the compiled step before the first."""
-
-Stop = Callable[[], bool]
 
 
 @dataclass(frozen=True)
@@ -55,11 +53,13 @@ class ThisProcess:
 
     def run(self, work: Work, stop: Stop) -> Iterator[bytes]:
         """The lines, in the order of the rows."""
-        runner = PointRunner(work.plan, work.functions, work.pace())
+        runner = PointRunner(work.plan, work.functions, work.pace(), stop)
         for row in work.rows:
-            if stop():
+            try:
+                line = runner.run(row)
+            except RunStoppedError:
                 return
-            yield runner.run(row)
+            yield line
 
 
 def died_row(plan: Plan, row: int) -> bytes:

@@ -58,6 +58,12 @@ class Measure:
     text: str
 
 
+def offered_measures(run: Simulation) -> list[str]:
+    """What a page offers to measure in a run, the usual first; boxes only where there are some."""
+    names = ["seconds", "done", "delivered", "collisions", "distance", "energy"]
+    return [name for name in names if name != "delivered" or run.total > 0]
+
+
 class Meter(Protocol):
     """Measures one run: told of its beginning and of each step, unless it only looks at the end."""
 

@@ -34,6 +34,18 @@ ERROR, DIED = "error", "died"
 
 STRETCH = 20_000
 """Steps in one call of a run that nobody measures on the way."""
+PLAIN_STRETCH = 500
+"""The same where the step is not compiled, and takes its time."""
+
+Stop = Callable[[], bool]
+
+
+def _never() -> bool:
+    return False
+
+
+class RunStoppedError(Exception):
+    """A run was broken off: there is no row of it."""
 
 
 class Pace(Enum):
@@ -69,12 +81,18 @@ class PointRunner:
         plan: the study.
         functions: its measures in Python, by name.
         pace: how its runs come to the compiled step.
+        stop: whether to break off, asked before and during each run; `run` then raises `RunStoppedError`.
     """
 
     def __init__(
-        self, plan: Plan, functions: Mapping[str, Function] | None = None, pace: Pace = Pace.AS_IT_COMES
+        self,
+        plan: Plan,
+        functions: Mapping[str, Function] | None = None,
+        pace: Pace = Pace.AS_IT_COMES,
+        stop: Stop = _never,
     ) -> None:
         self._plan = plan
+        self._stop = stop
         self._functions = functions or {}
         self._pace = pace
         self._opened = open_planned(plan)
@@ -160,9 +178,11 @@ class PointRunner:
         for meter in self._meters.values():
             meter.begin()
         if watching:
-            _run_watched(simulation, watching)
+            self._run_watched(simulation, watching)
+        stretch = PLAIN_STRETCH if self._pace is Pace.PLAIN else STRETCH
         while simulation.outcome is None:
-            simulation.advance(STRETCH)
+            self._look()
+            simulation.advance(stretch)
         measures: dict[str, Any] = {name: meter.value() for name, meter in self._meters.items()}
         fields = {"seconds": simulation.seconds, "ticks": simulation.tick, "measures": measures}
         outcome, sentence = simulation.outcome, simulation.sentence
@@ -177,16 +197,21 @@ class PointRunner:
                     measures[name] = _measured(name, function, file, wrong)
         return fields | ({"wrong": wrong} if wrong else {})
 
+    def _look(self) -> None:
+        if self._stop():
+            raise RunStoppedError
+
+    def _run_watched(self, simulation: Simulation, watching: list[Callable[[], None]]) -> None:
+        while simulation.outcome is None:
+            if simulation.tick % PLAIN_STRETCH == 0:
+                self._look()
+            simulation.advance(1)
+            for after_step in watching:
+                after_step()
+
     def _record(self, simulation: Simulation, file: Path) -> None:
         assert self._prepared is not None, "it was set up"
         simulate(simulation, file, None, (*parts_of(self._opened), *self._plan.parts))
-
-
-def _run_watched(simulation: Simulation, watching: list[Callable[[], None]]) -> None:
-    while simulation.outcome is None:
-        simulation.advance(1)
-        for after_step in watching:
-            after_step()
 
 
 def _measured(name: str, function: Function, file: Path, wrong: dict[str, str]) -> Any:

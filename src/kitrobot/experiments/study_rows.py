@@ -119,7 +119,7 @@ class StudyRows:
         """
         text = str(word)
         for row in self:
-            if row.number == word or row.id.startswith(text):
+            if row.number == word if isinstance(word, int) else row.id.startswith(text):
                 return row
         raise ExperimentError(Sentence("the study has no row `{row}`", text))
 

@@ -14,8 +14,9 @@ from pathlib import Path
 from typing import Any
 
 from kitrobot.experiments.addresses import ExperimentError
-from kitrobot.experiments.executor import Executor, Stop, ThisProcess, Work
+from kitrobot.experiments.executor import Executor, ThisProcess, Work
 from kitrobot.experiments.plan import Plan
+from kitrobot.experiments.point_runner import Stop
 from kitrobot.experiments.study_folder import (
     ROWS,
     RowWriter,

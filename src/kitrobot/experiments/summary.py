@@ -6,6 +6,7 @@ number do not count, and `Cell.runs` says how many do. The statistics are those 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -22,17 +23,19 @@ from kitrobot.text.suggestions import did_you_mean
 
 @dataclass(frozen=True)
 class Cell:
-    """A measure at a point: its interval, None of fewer than two numbers, and how many runs gave one."""
+    """A measure at a point: how many runs gave a number, its interval (None of fewer than two), its mean (None of none)."""
 
     measure: str
     runs: int
     interval: Interval | None
+    mean: float | None = None
 
 
 @dataclass(frozen=True)
 class PointSummary:
-    """A point: its values by address, how many of its rows had which outcome, and its measures."""
+    """A point: its number, its values by address, how many of its rows had which outcome, and its measures."""
 
+    number: int
     point: Mapping[str, Value]
     outcomes: Mapping[str, int]
     cells: tuple[Cell, ...]
@@ -74,6 +77,7 @@ def summarise(study: StudyRows, confidence: float = USUAL_CONFIDENCE) -> list[Po
                 column.append(value)
     return [
         PointSummary(
+            at,
             plan.point(at * seeds),
             outcomes[at],
             tuple(_cell(name, column, confidence) for name, column in zip(plan.measured, numbers[at], strict=True)),
@@ -88,9 +92,10 @@ def _cell(name: str, values: Sequence[float], confidence: float) -> Cell:
 
     if not values:
         return Cell(name, 0, None)
+    mean = math.fsum(values) / len(values)
     if name == "done":
-        return Cell(name, len(values), share_interval(int(sum(values)), len(values), confidence))
-    return Cell(name, len(values), mean_interval(values, confidence) if len(values) > 1 else None)
+        return Cell(name, len(values), share_interval(int(sum(values)), len(values), confidence), mean)
+    return Cell(name, len(values), mean_interval(values, confidence) if len(values) > 1 else None, mean)
 
 
 def compare(study: StudyRows, address: str, measure: str, confidence: float = USUAL_CONFIDENCE) -> list[Comparison]:

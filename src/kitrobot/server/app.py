@@ -27,6 +27,7 @@ from kitrobot.server.routes.assignments import handed_out_routes
 from kitrobot.server.routes.board import board_routes
 from kitrobot.server.routes.drawing_check import drawing_check_routes
 from kitrobot.server.routes.exercise import exercise_routes
+from kitrobot.server.routes.experiment import experiment_routes
 from kitrobot.server.routes.firmware import firmware_routes
 from kitrobot.server.routes.fragment import routes as fragment_routes
 from kitrobot.server.routes.image import image_routes
@@ -46,6 +47,7 @@ from kitrobot.server.security import SecurityMiddleware, refuse
 from kitrobot.text.sentences import Sentence, Word
 from kitrobot.wire.board import BOARD_MESSAGE_MODELS, BOARD_REQUEST_MODELS
 from kitrobot.wire.drawing_check import DRAWING_CHECK_MESSAGE_MODELS, DRAWING_CHECK_REQUEST_MODELS
+from kitrobot.wire.experiment import EXPERIMENT_MESSAGE_MODELS, EXPERIMENT_REQUEST_MODELS
 from kitrobot.wire.files import ConflictShape
 from kitrobot.wire.journal import WATCH_MESSAGE_MODELS
 from kitrobot.wire.problem import RequestFailureShape, problem_shapes
@@ -60,6 +62,7 @@ ROUTERS = (
     fragment_routes,
     run_routes,
     sweep_routes,
+    experiment_routes,
     verify_routes,
     drawing_check_routes,
     board_routes,
@@ -155,9 +158,15 @@ def _openapi(app: FastAPI) -> dict[str, Any]:
     if app.openapi_schema is None:
         schema = FastAPI.openapi(app)
         of_work = (*SWEEP_REQUEST_MODELS, *VERIFY_REQUEST_MODELS, *DRAWING_CHECK_REQUEST_MODELS)
+        of_work += EXPERIMENT_REQUEST_MODELS
         models = [(model, "validation") for model in (*REQUEST_MODELS, *BOARD_REQUEST_MODELS, *of_work)]
         messages = (*RUN_MESSAGE_MODELS, *WATCH_MESSAGE_MODELS, *BOARD_MESSAGE_MODELS)
-        messages += (*SWEEP_MESSAGE_MODELS, *VERIFY_MESSAGE_MODELS, *DRAWING_CHECK_MESSAGE_MODELS)
+        messages += (
+            *EXPERIMENT_MESSAGE_MODELS,
+            *SWEEP_MESSAGE_MODELS,
+            *VERIFY_MESSAGE_MODELS,
+            *DRAWING_CHECK_MESSAGE_MODELS,
+        )
         models += [(model, "serialization") for model in messages]
         _, extra = models_json_schema(models, ref_template="#/components/schemas/{model}")  # type: ignore[arg-type]
         schema["components"]["schemas"] |= extra["$defs"]

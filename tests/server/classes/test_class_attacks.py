@@ -253,7 +253,11 @@ def test_a_flood_is_held_and_only_of_who_floods(school, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    "path", ["/api/board/trace", "/api/trace", "/api/traces/../trace", "/api/run/trace", "/api/sweep", "/api/verify"]
+    "path",
+    [
+        *("/api/board/trace", "/api/trace", "/api/traces/../trace", "/api/run/trace", "/api/sweep", "/api/verify"),
+        *("/api/experiment", "/api/experiment/study", "/api/experiment/table"),
+    ],
 )
 def test_a_pupils_studio_does_not_use_the_teachers_machine(school, path):
     ada, key = school.join("Ada")

@@ -16,6 +16,14 @@ export interface AbsentPart {
   name: string;
 }
 
+/** What can vary: its address, what stands there ("" for nothing), what can, and some values to begin with. */
+export interface Address {
+  address: string;
+  current: string;
+  expected: string;
+  example: string;
+}
+
 /** The constructor, and its slot, that a branch adds itself to. */
 export interface Adds {
   constructor: string;
@@ -753,6 +761,85 @@ export interface Exercise {
 export interface ExerciseGoal {
   label: Record<string, string>;
   kind: "program" | "run" | "check";
+}
+
+/** A study that is asked for; `seconds` is the longest simulated time of a run, `fail_rate` (0…1) as in a run. */
+export interface ExperimentAsk {
+  mission: Mission;
+  path: string;
+  axes: ExperimentAxis[];
+  seeds: string;
+  measures: string[];
+  seconds?: number;
+  fail_rate?: number;
+}
+
+/** An address, and its values as text: a list, a range or a design. */
+export interface ExperimentAxis {
+  address: string;
+  values: string;
+}
+
+/** What a mission has for an experiment: addresses, measures, and the studies of it so far, the newest first. */
+export interface ExperimentChoices {
+  addresses: Address[];
+  measures: string[];
+  studies: StudyEntry[];
+}
+
+/** A mission whose choices are asked for. */
+export interface ExperimentMission {
+  mission: Mission;
+  path: string;
+}
+
+/** What a study would be: how many points and runs, and the command line that does the same. */
+export interface ExperimentPlan {
+  points: number;
+  runs: number;
+  command: string;
+}
+
+/**
+ * How many runs are over, of how many; about how many seconds are left, None while nobody knows; the study so far, now
+ * and then.
+ */
+export interface ExperimentProgressMessage {
+  type: "progress";
+  done: number;
+  total: number;
+  left_s: number | null;
+  study: Study | null;
+}
+
+/** Go on with a study that lies beside the mission of that path. */
+export interface ExperimentResumeRequest {
+  type: "resume";
+  path: string;
+  study: string;
+}
+
+/** Make the runs of a study. */
+export interface ExperimentStartRequest {
+  mission: Mission;
+  path: string;
+  axes: ExperimentAxis[];
+  seeds: string;
+  measures: string[];
+  seconds?: number;
+  fail_rate?: number;
+  type: "start";
+}
+
+/** Break it off; every run that has ended is kept. */
+export interface ExperimentStopRequest {
+  type: "stop";
+}
+
+/** The study when the work on it ended, complete or broken off. */
+export interface ExperimentStudyMessage {
+  type: "study";
+  study: Study;
 }
 
 /** What happens to an agent, and when, in simulated seconds. */
@@ -1999,6 +2086,59 @@ export interface Storehouse {
   height_mm: number;
   capacity: number;
   stock: number;
+}
+
+/** A study so far; row number n is point n // `seeds`. */
+export interface Study {
+  study: string;
+  axes: StudyAxis[];
+  seeds: number;
+  measures: string[];
+  seconds: number;
+  version: string;
+  done: number;
+  total: number;
+  confidence: number;
+  points: StudyPoint[];
+  command: string;
+}
+
+/** What varies, and all its values in their order, each once. */
+export interface StudyAxis {
+  address: string;
+  values: (number | string)[];
+}
+
+/** A measure at a point: of how many runs, and its interval where it has one. */
+export interface StudyCell {
+  runs: number;
+  estimate: number | null;
+  low: number | null;
+  high: number | null;
+  method: string;
+}
+
+/** A study that lies beside the mission: the name of its folder, and its runs when it is complete. */
+export interface StudyEntry {
+  study: string;
+  runs: number;
+}
+
+/** A point: its number, its values by axis, how many runs had which outcome, its cells by measure. */
+export interface StudyPoint {
+  number: number;
+  values: (number | string)[];
+  outcomes: Record<string, number>;
+  cells: StudyCell[];
+}
+
+/** One run: its number and seed, how it ended, and its measures by place; None: nothing was measured. */
+export interface StudyRun {
+  row: number;
+  seed: number;
+  outcome: string;
+  sentence: string;
+  measures: (number | null)[];
 }
 
 /** A file that was handed in; `modified` is a moment in UTC. */

@@ -13,6 +13,7 @@ import { code } from "../features/code";
 import { customBlocks } from "../features/custom-blocks";
 import { debug } from "../features/debug";
 import { exercise } from "../features/exercise";
+import { experiment } from "../features/experiment";
 import { exporting } from "../features/export";
 import { gallery } from "../features/gallery";
 import { importFiles } from "../features/import-files";
@@ -42,6 +43,7 @@ export const FEATURES: readonly Feature[] = [
   team,
   run,
   sweep,
+  experiment,
   check,
   robots,
   world,

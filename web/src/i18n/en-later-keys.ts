@@ -13,6 +13,7 @@ export const KEYS_EN = {
   "help.keys-arc": "Select an arc that leaves the part: into its bodies, then on",
   "help.keys-extend": "Select the next part too",
   "help.keys-note": "Write a note on the part",
+  "help.keys-vary": "Vary its number in an experiment",
   "help.keys-move": "Move the selected parts up or down",
   "help.keys-nothing": "Select nothing",
   "help.keys-pan": "Move the view",

@@ -22,6 +22,7 @@ export const SEARCH_EN = {
   "search.menu": "right click, context menu",
   "search.keys": "hotkeys, commands, help",
   "search.trace": "trace, recording, log",
+  "search.experiment": "study, statistics, many runs, parameter, batch",
   "search.faults": "fault injection, robustness",
   "search.live": "debugger, probe, values",
   "search.theme": "theme, colours, accessibility",

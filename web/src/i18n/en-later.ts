@@ -2,6 +2,7 @@
 import { ARENA_EN } from "./en-later-arena";
 import { CHECK_EN } from "./en-later-check";
 import { CLASS_EN } from "./en-later-class";
+import { EXPERIMENT_EN } from "./en-later-experiment";
 import { LEARN_EN } from "./en-later-learn";
 import { LATER_TEAM_EN } from "./en-later-team";
 import { NEW_EN } from "./en-later-new";
@@ -20,6 +21,7 @@ export const LATER_EN = {
   ...LATER_TEAM_EN,
   ...CHECK_EN,
   ...CLASS_EN,
+  ...EXPERIMENT_EN,
   ...NEW_EN,
   ...KITS_EN,
   ...FIELDS_EN,

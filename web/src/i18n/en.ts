@@ -109,6 +109,7 @@ export const EN = {
   "run.real-time": "Real time",
   "run.as-fast": "As fast as it goes",
   "run.sweep": "Fail each robot…",
+  "run.experiment": "Experiment…",
   "run.check": "Check…",
   "run.max": "max",
   "run.times": "{factor}×",

@@ -6,6 +6,7 @@ const TOUCH = {
   "fields.where": "fields.where-tap",
   "graph.first-help": "graph.first-tap",
   "sweep.how": "sweep.how-tap",
+  "experiment.how": "experiment.how-tap",
   "world.draw": "world.draw-tap",
   "world.hint": "world.hint-tap",
 } as const satisfies Partial<Record<Key, Key>>;

@@ -49,6 +49,7 @@ export const GRAPH_KEYS = {
   unwrap: { chords: ["Shift+W"], says: "help.keys-wrap" },
   fold: { chords: ["C"], says: "help.keys-fold" },
   savePart: { chords: ["P"], says: "own.key", also: "search.block" },
+  vary: { chords: ["V"], says: "help.keys-vary", also: "search.experiment" },
   breakpoint: { chords: ["B"], says: "debug.toggle", also: "search.breakpoint" },
   menu: { chords: ["Shift+F10", "ContextMenu"], says: "help.keys-context", also: "search.menu" },
   zoomSelection: { chords: ["Z"], says: "graph.zoom-selection" },

@@ -16,7 +16,7 @@ import { note, useDocument } from "./document";
 /**
  * `seed`: where chance begins. `ticks`: numbers of ticks, and steps by one. `places`: coordinates, lines of LLL, names of parts
  * in it. `listing`: three-address code and images. `agents`: who runs what. `team`: programs of a team. `threads`: their
- * numbers. `verification`: check and sweep.
+ * numbers. `verification`: check, sweep and experiment.
  */
 export type Detail = "seed" | "ticks" | "places" | "listing" | "agents" | "team" | "threads" | "verification";
 
@@ -29,6 +29,7 @@ const ENTRIES: Readonly<Record<string, Detail>> = {
   "run-step-back": "ticks",
   "run-check": "verification",
   "run-sweep": "verification",
+  "run-experiment": "verification",
   "file-download-kri": "listing",
   "file-download-kra": "listing",
   "program-team": "agents",

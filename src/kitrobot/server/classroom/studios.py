@@ -1,8 +1,8 @@
 """A studio for each pupil, in the teacher's process: for a class without a static site (`class_pages`).
 
 Each is an ordinary studio on a hidden folder of its own, so nothing of one pupil is in another's. It simulates: ports,
-teams of processes, recordings that are brought along, sweeps and checks of every order are not for pupils here, for
-they would take the teacher's machine. The class itself (`class_routes`) knows nothing of these studios.
+teams of processes, recordings that are brought along, sweeps, experiments and checks of every order are not for pupils
+here, for they would take the teacher's machine. The class itself (`class_routes`) knows nothing of these studios.
 """
 
 from __future__ import annotations
@@ -24,7 +24,10 @@ from kitrobot.server.app import create_app
 MOST_BYTES: Final = 64 * 1024 * 1024
 MOST_FILES: Final = 300
 """Of one pupil's studio: missions, parts, journals, folders."""
-NOT_HERE: Final = ("/api/board", "/api/boards", "/api/trace", "/api/run/trace", "/api/sweep", "/api/verify")
+NOT_HERE: Final = (
+    *("/api/board", "/api/boards", "/api/trace", "/api/run/trace"),
+    *("/api/sweep", "/api/experiment", "/api/verify"),
+)
 """Beginnings of what pupils' studios do not do."""
 
 

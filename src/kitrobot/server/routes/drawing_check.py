@@ -16,7 +16,6 @@ from kitrobot.wire.drawing_check import (
     DrawingCheckStartRequest,
     drawing_check_message,
 )
-from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.mission_run import RunOptions
 
 
@@ -27,8 +26,8 @@ class _DrawingCheck(WebSocketJob):
     progress = DrawingCheckMessage
     busy = Sentence("this studio is at a check already")
 
-    def work(self, request: DrawingCheckStartRequest, opened: OpenMission) -> DrawingCheckMessage:
-        prepared = opened.prepare(RunOptions(request.seed, RUN_S))
+    def work(self, request: DrawingCheckStartRequest) -> DrawingCheckMessage:
+        prepared = self.open(request).prepare(RunOptions(request.seed, RUN_S))
         found = check_drawing(prepared, self.stop.is_set, EXPLORE_S)
         return drawing_check_message(found, prepared.simulation.tick_ms)
 

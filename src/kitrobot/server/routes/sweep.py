@@ -18,7 +18,6 @@ from kitrobot.wire.sweep import (
     sweep_map_message,
 )
 from kitrobot.workspace.child_processes import cores, has_processes
-from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.mission_run import RunOptions
 from kitrobot.workspace.sweep import SweepError, SweepOptions, run_sweep
 
@@ -33,7 +32,8 @@ class _Sweep(WebSocketJob):
     progress = SweepProgressMessage
     busy = Sentence("this studio is at a sweep already")
 
-    def work(self, request: SweepStartRequest, opened: OpenMission) -> SweepMapMessage:
+    def work(self, request: SweepStartRequest) -> SweepMapMessage:
+        opened = self.open(request)
         fields = len(opened.mission.team.agents) * request.moments
         if fields > MOST_FIELDS:
             message = Sentence("this sweep has {total} fields; the studio shows at most {most}", fields, MOST_FIELDS)

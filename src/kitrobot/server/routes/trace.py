@@ -43,7 +43,7 @@ def trace(studio: ThisStudio, path: Name) -> RecordingShape:
     file = studio.folder.path_of(path, ENDING)
     if not file.is_file():
         raise FileError(Sentence("there is no file `{path}`", path), "", path=file)
-    return _opened(studio, file)
+    return open_recording(studio, file)
 
 
 @trace_routes.post("/trace")
@@ -55,7 +55,7 @@ async def trace_read(studio: ThisStudio, request: Request, name: Name = f"record
         with path.open("wb") as file:
             async for piece in request.stream():
                 file.write(piece)
-        return await run_in_background(_opened, studio, path)
+        return await run_in_background(open_recording, studio, path)
     except BaseException:
         shutil.rmtree(path.parent, ignore_errors=True)
         raise
@@ -80,7 +80,7 @@ async def run_trace(studio: ThisStudio, request: Request, run: Name, after: Back
     return FileResponse(path, media_type="application/octet-stream", background=after)
 
 
-def _opened(studio: Studio, file: Path) -> RecordingShape:
+def open_recording(studio: Studio, file: Path) -> RecordingShape:
     """Opens a recording, with its mission from the folder that it was unpacked to."""
     name, mission, trace = studio.recordings.add(file)
     with trace.reader as reader:

@@ -19,7 +19,6 @@ from kitrobot.wire.verification import (
     VerifyStartRequest,
     verify_message,
 )
-from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.mission_run import RunOptions
 
 RUN_S = 600.0
@@ -33,8 +32,8 @@ class _Verification(WebSocketJob):
     progress = VerifyProgressMessage
     busy = Sentence("this studio is at a check already")
 
-    def work(self, request: VerifyStartRequest, opened: OpenMission) -> VerifyEndMessage:
-        prepared = opened.prepare(RunOptions(request.seed, RUN_S))
+    def work(self, request: VerifyStartRequest) -> VerifyEndMessage:
+        prepared = self.open(request).prepare(RunOptions(request.seed, RUN_S))
         tick_ms = prepared.simulation.tick_ms
         kinds = tuple(kind for kind in KINDS if kind.value in request.kinds)
         options = VerificationOptions(

@@ -37,14 +37,14 @@ class WebSocketJob(ABC):
     Attributes:
         kind: the kind of job, for the log; a studio runs one of each.
         request: parses the page's requests.
-        start: the request that starts it; any other cancels it.
+        start: the requests that start it; any other cancels it.
         progress: the message of which only the newest is worth sending.
         busy: the refusal while this studio has such a job already.
     """
 
     kind: ClassVar[str]
     request: ClassVar[TypeAdapter[Any]]
-    start: ClassVar[type[BaseModel]]
+    start: ClassVar[type[BaseModel] | tuple[type[BaseModel], ...]]
     progress: ClassVar[type[BaseModel]]
     busy: ClassVar[Sentence]
 
@@ -59,12 +59,16 @@ class WebSocketJob(ABC):
         self._over = False
 
     @abstractmethod
-    def work(self, request: Any, opened: OpenMission) -> BaseModel:
-        """Does the work on the request's mission, in a thread, until it is over or `stop` is set; its last message.
+    def work(self, request: Any) -> BaseModel:
+        """Does the work, in a thread, until it is over or `stop` is set; its last message.
 
         Raises:
             KitRobotError: it cannot be done.
         """
+
+    def open(self, request: Any) -> OpenMission:
+        """The mission of a request that brings one."""
+        return self.studio.open(mission_from_shape(request.mission), request.path)
 
     def send_progress(self, message: BaseModel) -> None:
         """Sends the page progress; called in the thread of the job."""
@@ -118,7 +122,7 @@ class WebSocketJob(ABC):
         self._over = False
         sender = asyncio.create_task(self._send_queued())
         try:
-            answer: BaseModel = await run_in_background(self._work, request)
+            answer: BaseModel = await run_in_background(self.work, request)
         except KitRobotError as error:
             answer = _refusal(error)
         except Exception as error:
@@ -133,9 +137,6 @@ class WebSocketJob(ABC):
         self._queue_message(answer)
         with suppress(WebSocketDisconnect, RuntimeError, OSError):
             await sender
-
-    def _work(self, request: Any) -> BaseModel:
-        return self.work(request, self.studio.open(mission_from_shape(request.mission), request.path))
 
     def _queue_message(self, message: BaseModel) -> None:
         if self._waiting and isinstance(message, self.progress) and isinstance(self._waiting[-1], self.progress):

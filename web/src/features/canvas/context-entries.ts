@@ -7,6 +7,8 @@ import { isOwn, openEdit, openSave } from "../../session/custom-blocks";
 import { currentDrawing } from "../../session/drawing";
 import { deleteSelection, duplicateSelection, openWrapping, unwrapSelection, wrappable } from "../../session/edits";
 import { keyFor } from "../../session/key-table";
+import { isShown } from "../../session/simple-view";
+import { canVarySelected, varySelected } from "../../session/varied";
 import { editSelected, openAdding, useView } from "../../session/view";
 import { type MenuEntry, menuItem } from "../../ui/menu-model";
 import { copySelection, cutSelection, pasteFromMenu } from "./clipboard";
@@ -84,6 +86,9 @@ function vertexEntries(paste: MenuEntry): MenuEntry[] {
         ]
       : []),
     item("breakpoint", t("debug.toggle"), keyFor.graph("breakpoint"), toggleBreakpoints, fixed),
+    ...(canVarySelected() && isShown("verification")
+      ? [item("vary", t("experiment.vary-part"), keyFor.graph("vary"), varySelected)]
+      : []),
     item("save-part", t("own.save"), keyFor.graph("savePart"), openSave, fixed),
     ...shapes
       .filter((shape) => shapes.length === 1 && isOwn(shape))

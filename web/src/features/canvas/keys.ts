@@ -22,6 +22,7 @@ import {
   toggleMinimap,
   useView,
 } from "../../session/view";
+import { varySelected } from "../../session/varied";
 import { openContextMenu } from "./context";
 import { toggleFoldOfSelection } from "./folded";
 import { openNote } from "./Notes";
@@ -111,6 +112,7 @@ const ACTIONS: Record<keyof typeof GRAPH_KEYS, () => boolean> = {
   unwrap: unwrapSelection,
   fold: toggleFoldOfSelection,
   savePart: openSave,
+  vary: varySelected,
   breakpoint: toggleBreakpoints,
   menu: openContextMenu,
   zoomSelection: () => yes(useView.getState().viewport?.zoomToSelection),

@@ -13,6 +13,8 @@ import { wordsOf } from "../../model/words";
 import type { Drawing } from "../../session/drawing";
 import { Icon } from "../../theme";
 import { FieldRow } from "../../components/fields/FieldRow";
+import { VaryButton } from "./VaryButton";
+import { addressOf } from "../../session/varied";
 import { Row } from "../../ui/Row";
 
 /** Runs a command and leaves the selection where it is. */
@@ -66,7 +68,18 @@ function Filler({ drawing, owner, plug }: { drawing: Drawing; owner: Block; plug
 function ValueRow({ drawing, block, field }: { drawing: Drawing; block: Block; field: Field }) {
   const { program, parts } = drawing;
   const filler = block.plugs.find((plug) => plug.slot === field.name)?.block ?? null;
-  if (filler === null) return <FieldRow drawing={drawing} vertex={block.vertex} field={field} />;
+  if (filler === null)
+    return (
+      <>
+        <FieldRow drawing={drawing} vertex={block.vertex} field={field} />
+        {field.kind === "integer" ? (
+          <VaryButton
+            address={addressOf(program.name, block.vertex.id, field.name)}
+            name={text(field.label, field.name)}
+          />
+        ) : null}
+      </>
+    );
   return (
     <div className="inspector-row row">
       <span className="inspector-label rigid">{text(field.label, field.name)}</span>

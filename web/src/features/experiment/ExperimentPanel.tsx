@@ -1,0 +1,56 @@
+/** The panel of the experiment: a study is set up on the one side, and looked at on the other. */
+import { useEffect } from "react";
+
+import { Refused } from "../../components/Refused";
+import { t } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import { closeDock } from "../../session/dock";
+import { Tool } from "../../ui/Tool";
+import { Progress } from "./Progress";
+import { Results } from "./Results";
+import { Setup } from "./Setup";
+import { fetchChoices, useStudy } from "./study-work";
+import "./experiment.css";
+
+/** How long the mission stays as it is before it is asked what it has. */
+const QUIET_MS = 300;
+
+export function ExperimentPanel() {
+  const mission = useStudio((studio) => studio.mission);
+  const path = useStudio((studio) => studio.file.path);
+  const refused = useStudy((state) => state.refused);
+  const busy = useStudy((state) => state.busy);
+  const study = useStudy((state) => state.study);
+  useEffect(() => {
+    const stop = new AbortController();
+    const timer = setTimeout(() => void fetchChoices(stop.signal), QUIET_MS);
+    return () => {
+      clearTimeout(timer);
+      stop.abort();
+    };
+  }, [mission, path]);
+  return (
+    <section
+      className="dock-panel experiment-panel column rigid"
+      id="experiment-panel"
+      data-testid="experiment"
+      aria-label={t("experiment.title")}
+    >
+      <header className="dock-head row rigid">
+        <h2>{t("experiment.title")}</h2>
+        <Tool small icon="x" label={t("experiment.close")} titled={false} onClick={closeDock} />
+      </header>
+      <div className="experiment-body">
+        <div className="experiment-setup column">{busy === null ? <Setup /> : <Progress {...busy} />}</div>
+        <div className="experiment-results column">
+          <Refused refused={refused} />
+          {study === null ? (
+            <p className="experiment-note muted">{t("experiment.empty")}</p>
+          ) : (
+            <Results study={study} />
+          )}
+        </div>
+      </div>
+    </section>
+  );
+}
