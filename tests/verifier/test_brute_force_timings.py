@@ -297,7 +297,7 @@ def random_property(rng: random.Random, form: Form, name: str) -> AskedProperty:
 @pytest.mark.parametrize("timing", list(Timing))
 def test_random_missions_come_where_brute_force_comes_and_break_what_it_breaks(timing: Timing) -> None:
     said = {(form, broken): 0 for form in FORMS for broken in (True, False)}
-    for seed in range(examples(6, 2000)):
+    for seed in range(examples(10, 2000)):
         rng = random.Random(seed)
         run, texts = random_run(rng)
         machines = Machines(run, timing)
