@@ -14,7 +14,7 @@ from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.model.timing import Timing
 from kitrobot.verifier.properties.properties import ready_properties
 from kitrobot.verifier.properties.verdicts import check_properties
-from tests.effort import examples
+from tests.effort import cases, examples
 from tests.sim.building import avatar, empty_world, run_of
 from tests.strategies.programs import Shape, random_program
 from tests.verifier.check_fixtures import answers, judged
@@ -63,7 +63,7 @@ def deadlock(run: Simulation, states: int = 20_000) -> str:
 WAITS_FOR_FLAG = "*[Flag.IsFalse()]( WAIT(20); ); Count.Add(1);"
 
 
-@pytest.mark.parametrize("timing", list(Timing))
+@pytest.mark.parametrize("timing", cases([Timing.LOCKSTEP], [Timing.PROMPT, Timing.FREE]))
 @pytest.mark.parametrize(
     ("texts", "answer"),
     [
@@ -77,6 +77,7 @@ WAITS_FOR_FLAG = "*[Flag.IsFalse()]( WAIT(20); ); Count.Add(1);"
     ],
 )
 def test_robots_that_go_round_and_say_nothing_new_stand_still(timing: Timing, texts: list[str], answer: str) -> None:
+    """In other timings too: test_units_of_work_that_are_taken_and_never_done_are_a_standstill, and brute force."""
     run = of_texts(*texts)
     assert answers(judged(run, timing))["deadlock"] == answer
     to_the_end(run)
