@@ -20,7 +20,7 @@ from tests.patience import STATE_MS
 
 NOTHING = "/nothing"
 """The path of the empty page: between two tests a tab is of no studio, and yet at the address of all of them."""
-IDLE, USES = 4, 16
+IDLE, USES = 3, 16
 """How many tabs wait for the next test, and how many tests use one: the browser frees little between them."""
 KEEP_TEXT = """try {
     if (localStorage.getItem("kitrobot.text") === null) localStorage.setItem("kitrobot.text", "yes");

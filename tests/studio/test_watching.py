@@ -93,11 +93,11 @@ def a_window_with_another_state_of_the_mission_is_told_so(studio, other):
     studio.at("add-find").fill("wait")
     studio.page.keyboard.press("Enter")
     expect(studio.at("undo")).to_be_enabled()
-    studio.at("run-button").click()
-    status_is(studio.page, "running")
+    watch_again(studio, other)
     expect(other.get_by_test_id("watching-bar")).to_contain_text("is not what is open here")
     studio.at("team-stop").click()
-    status_is(studio.page, "stopped")
+    status_is(other, "stopped")
+    other.get_by_test_id("watch-leave").click()
     studio.take_back()
 
 
