@@ -46,7 +46,7 @@ export async function takeFiles(files: readonly File[]): Promise<void> {
   for (const file of files) ((await holdsParts(file)) ? parts : others).push(file);
   if (parts.length > 0) await takeParts(parts);
   // One mission is open at a time: the first file that may be one.
-  const first = others.find((file) => /\.(krt|krtrace|svg|png|pdf)$/i.test(file.name)) ?? others[0];
+  const first = others.find((file) => /\.(krt|krtrace|svg|png|pdf|hex)$/i.test(file.name)) ?? others[0];
   if (first !== undefined) openFromComputer(first);
 }
 
