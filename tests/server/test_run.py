@@ -337,7 +337,9 @@ def test_a_run_that_breaks_is_one_sentence(connect, mission, monkeypatch, caplog
     assert "Traceback" not in caplog.text
 
 
-@pytest.mark.parametrize("path", ["run", "sweep", "experiment", "verify", "drawing-check", "watch", "boards", "boards/port"])
+@pytest.mark.parametrize(
+    "path", ["run", "sweep", "experiment", "verify", "drawing-check", "watch", "boards", "boards/port"]
+)
 def test_a_page_that_goes_while_it_is_told_something_is_no_mistake(app, path):
     """Whatever the socket is for: nothing is raised, so the server has no traceback to show."""
 
