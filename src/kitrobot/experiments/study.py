@@ -14,8 +14,8 @@ from kitrobot.experiments.plan import Function, StudyRequest, plan_study
 from kitrobot.experiments.seeds import seeds_of
 from kitrobot.experiments.statistics.interval import USUAL_CONFIDENCE
 from kitrobot.experiments.study_folder import begin_study
-from kitrobot.experiments.study_rows import StudyRows
 from kitrobot.experiments.study_html import study_html
+from kitrobot.experiments.study_rows import StudyRows
 from kitrobot.experiments.study_run import Progress, run_study
 from kitrobot.experiments.summary import Comparison, PointSummary, compare, summarise
 from kitrobot.experiments.tables import arrow_table, write_csv, write_parquet
