@@ -14,6 +14,7 @@ from kitrobot.experiments.plan import Function, StudyRequest, plan_study
 from kitrobot.experiments.seeds import seeds_of
 from kitrobot.experiments.statistics.interval import USUAL_CONFIDENCE
 from kitrobot.experiments.study_folder import begin_study
+from kitrobot.experiments.study_html import study_html
 from kitrobot.experiments.study_rows import StudyRows
 from kitrobot.experiments.study_run import Progress, run_study
 from kitrobot.experiments.summary import Comparison, PointSummary, compare, summarise
@@ -73,6 +74,25 @@ class Study(StudyRows):
     def __arrow_c_stream__(self, requested_schema: Any = None) -> Any:
         """The rows for whatever reads Arrow: `pandas`, `polars`, DuckDB, pyarrow (`kitrobot[data]`)."""
         return arrow_table(self).__arrow_c_stream__(requested_schema)
+
+    def plot(self, measure: str = "", ci: float = USUAL_CONFIDENCE) -> Any:
+        """A `matplotlib.figure.Figure` (`kitrobot[plot]`): of one axis a curve with intervals, of two a map.
+
+        Args:
+            measure: of what; the first one that is measured unless it is named.
+            ci: the share (0…1) of intervals that hold the truth.
+
+        Raises:
+            ExperimentError: more than two numbers vary, or nothing of that name was measured.
+            KitRobotError: matplotlib is not installed.
+        """
+        from kitrobot.experiments.study_plot import plot_study
+
+        return plot_study(self, measure or self.plan.measured[0], ci)
+
+    def _repr_html_(self) -> str:
+        """The study in a notebook: its numbers as a table."""
+        return study_html(self)
 
     def to_pandas(self) -> Any:
         """The rows as a `pandas.DataFrame`; pandas must be there, arro3 need not."""

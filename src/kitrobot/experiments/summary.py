@@ -163,14 +163,17 @@ def summary_text(study: StudyRows, confidence: float = USUAL_CONFIDENCE) -> str:
     rows = [[*study.plan.addresses, "runs", *study.plan.measured]]
     methods: dict[str, None] = {}
     for one in found:
-        cells = [_cell_text(cell) for cell in one.cells]
+        cells = [cell_text(cell) for cell in one.cells]
         rows.append([*map(str, one.point.values()), str(sum(one.outcomes.values())), *cells])
         methods |= dict.fromkeys(str(cell.interval.method) for cell in one.cells if cell.interval is not None)
     lines = [*text_lines(rows), "", *(f"  {confidence:.4g}: {method}" for method in methods)]
     return "\n".join(lines) + "\n"
 
 
-def _cell_text(cell: Cell) -> str:
+def cell_text(cell: Cell) -> str:
+    """A measure at a point in words: estimate and interval; the number itself of one run."""
+    if cell.interval is None and cell.mean is not None:
+        return f"{cell.mean:.5g}"
     if cell.interval is None:
         return "–"
     low, high = cell.interval.low, cell.interval.high

@@ -17,8 +17,8 @@ let sockets: Socket[] = [];
 
 class Socket extends EventTarget {
   readonly sent: unknown[] = [];
-  readyState = WebSocket.OPEN;
-  constructor(readonly address: string) {
+  readyState: number = WebSocket.OPEN;
+  constructor() {
     super();
     sockets.push(this);
   }
@@ -42,7 +42,7 @@ vi.mock("../../api/line", () => ({
       if (answer instanceof Response) return Promise.resolve(answer.clone());
       return Promise.resolve(new Response(JSON.stringify(answer ?? {})));
     },
-    socket: (address: string) => new Socket(address),
+    socket: () => new Socket(),
   }),
 }));
 
@@ -69,7 +69,13 @@ function studyOf(done = 4): Study {
 }
 
 const RUNS: StudyRun[] = [0, 1, 2, 3].map((row) => ({
-  ...{ row, seed: (row % 2) + 1, outcome: row === 1 ? "time" : "done", sentence: "All is done.", measures: [30 + row, 1] },
+  ...{
+    row,
+    seed: (row % 2) + 1,
+    outcome: row === 1 ? "time" : "done",
+    sentence: "All is done.",
+    measures: [30 + row, 1],
+  },
 }));
 
 let page: Mounted;

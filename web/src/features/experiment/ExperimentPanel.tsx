@@ -6,6 +6,7 @@ import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { closeDock } from "../../session/dock";
 import { Tool } from "../../ui/Tool";
+import { useWidth } from "../../ui/use-width";
 import { Progress } from "./Progress";
 import { Results } from "./Results";
 import { Setup } from "./Setup";
@@ -14,6 +15,8 @@ import "./experiment.css";
 
 /** How long the mission stays as it is before it is asked what it has. */
 const QUIET_MS = 300;
+/** In less both sides do not fit beside each other. */
+const NARROW_PX = 600;
 
 export function ExperimentPanel() {
   const mission = useStudio((studio) => studio.mission);
@@ -21,6 +24,8 @@ export function ExperimentPanel() {
   const refused = useStudy((state) => state.refused);
   const busy = useStudy((state) => state.busy);
   const study = useStudy((state) => state.study);
+  const [box, width] = useWidth<HTMLDivElement>(NARROW_PX);
+  const isNarrow = width < NARROW_PX;
   useEffect(() => {
     const stop = new AbortController();
     const timer = setTimeout(() => void fetchChoices(stop.signal), QUIET_MS);
@@ -29,6 +34,17 @@ export function ExperimentPanel() {
       stop.abort();
     };
   }, [mission, path]);
+  const setup = (
+    <div key="setup" className="experiment-setup column">
+      {busy === null ? <Setup /> : <Progress {...busy} />}
+    </div>
+  );
+  const results = (
+    <div key="results" className="experiment-results column">
+      <Refused refused={refused} />
+      {study === null ? <p className="experiment-note muted">{t("experiment.empty")}</p> : <Results study={study} />}
+    </div>
+  );
   return (
     <section
       className="dock-panel experiment-panel column rigid"
@@ -40,16 +56,9 @@ export function ExperimentPanel() {
         <h2>{t("experiment.title")}</h2>
         <Tool small icon="x" label={t("experiment.close")} titled={false} onClick={closeDock} />
       </header>
-      <div className="experiment-body">
-        <div className="experiment-setup column">{busy === null ? <Setup /> : <Progress {...busy} />}</div>
-        <div className="experiment-results column">
-          <Refused refused={refused} />
-          {study === null ? (
-            <p className="experiment-note muted">{t("experiment.empty")}</p>
-          ) : (
-            <Results study={study} />
-          )}
-        </div>
+      <div className="experiment-body" ref={box} data-narrow={isNarrow}>
+        {/* One below the other, what came of a study is above what is chosen for the next one. */}
+        {isNarrow && study !== null ? [results, setup] : [setup, results]}
       </div>
     </section>
   );

@@ -116,7 +116,10 @@ export function RunStrip({ study, measure }: { study: Study; measure: number }) 
           </Button>
           <p>
             {current.row === played ? <strong>{t("sweep.plays")} </strong> : null}
-            <bdi>{runWords(study, current, measure)}</bdi> · <Said text={current.sentence} />
+            <bdi>{runWords(study, current, measure)}</bdi> ·{" "}
+            <span lang="en" dir="auto">
+              <Said text={current.sentence} />
+            </span>
           </p>
         </div>
       )}
