@@ -16,7 +16,11 @@ vi.mock("../../api/client", async (original) => {
 beforeAll(moreWords);
 
 test("it is asked what the robot is built of, and the file is saved for that kit with what is said of it", async () => {
-  vi.mocked(api.boardFile).mockResolvedValue({ file: btoa(":00000001FF\n"), boards: "micro:bit V2", reasons: ["Too large."] });
+  vi.mocked(api.boardFile).mockResolvedValue({
+    file: btoa(":00000001FF\n"),
+    boards: "micro:bit V2",
+    reasons: ["Too large."],
+  });
   saveBoardFile();
   expect(api.boardFile).not.toHaveBeenCalled();
   const asking = useKitQuestion.getState().asking;

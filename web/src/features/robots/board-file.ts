@@ -26,7 +26,10 @@ async function saveFor(kit: string): Promise<void> {
     const made = await api.boardFile(mission, file.path, program, kit);
     const bytes = Uint8Array.from(atob(made.file), (letter) => letter.charCodeAt(0));
     download(`${program}.hex`, bytes, "application/octet-stream");
-    note(t("board-file.saved", { name: `${program}.hex`, boards: made.boards }), [...made.reasons, t("board-file.copy")].join(" "));
+    note(
+      t("board-file.saved", { name: `${program}.hex`, boards: made.boards }),
+      [...made.reasons, t("board-file.copy")].join(" "),
+    );
   } catch (cause) {
     complain(cause);
   }
