@@ -125,9 +125,10 @@ def interrupted(folder: Path, board: StrangeBoard, name: str) -> tuple[int, str]
 ALL_CALLS = [(name, says) for name in COMMANDS for says in SAYS]
 CALLS = [(name, list(SAYS)[(number + 1) % 2]) for number, name in enumerate(COMMANDS)]
 """Each command with one of the boards; test_a_board_is_left_as_after_a_reset deploys to the other."""
+TRIED = cases(CALLS, [call for call in ALL_CALLS if call not in CALLS])
 
 
-@pytest.mark.parametrize(("name", "says"), cases(CALLS, [call for call in ALL_CALLS if call not in CALLS]))
+@pytest.mark.parametrize(("name", "says"), TRIED)
 def test_ctrl_c_ends_what_waits_for_a_board(tmp_path: Path, name: str, says: str) -> None:
     with strange(SAYS[says]) as board:
         status, said = interrupted(tmp_path, board, name)
