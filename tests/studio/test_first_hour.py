@@ -166,8 +166,15 @@ TASKS: dict[str, Callable[[Doer], None]] = {
     "A wall, a ball and a robot": make_a_world,
 }
 SQUARE, WALLS, TUNE, WORLD = TASKS
-USUAL = [(SQUARE, "mouse"), (SQUARE, "keys"), (SQUARE, "touch"), (WALLS, "mouse"), (TUNE, "touch"), (WORLD, "mouse")]
-MORE = [(WALLS, "keys"), (WALLS, "touch"), (TUNE, "mouse")]
+USUAL: list[object] = [
+    (SQUARE, "mouse"),
+    (SQUARE, "keys"),
+    (SQUARE, "touch"),
+    (WALLS, "mouse"),
+    (TUNE, "touch"),
+    (WORLD, "mouse"),
+]
+MORE: list[object] = [(WALLS, "keys"), (WALLS, "touch"), (TUNE, "mouse")]
 
 
 def the_square_is_large_at_the_end(studio: Studio, least: int) -> None:
