@@ -12,11 +12,11 @@ from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.experiments.addresses import ExperimentError
 from kitrobot.experiments.study import Study
 
-AXES = {"agents.carrier": [2, 3], "fail-rate": [0, 0.5], "radio.loss": [0, 50]}
+AXES: dict[str, list[float]] = {"agents.carrier": [2, 3], "fail-rate": [0, 0.5], "radio.loss": [0, 50]}
 
 
 def _study(folder: Path, count: int) -> Study:
-    vary = dict([*AXES.items()][:count])
+    vary = {name: AXES[name] for name in [*AXES][:count]}
     found = kitrobot.sweep("transport", vary=vary, seeds=[1, 2], measures=["seconds", "done"], seconds=5, folder=folder)
     assert isinstance(found, Study)
     return found

@@ -23,7 +23,7 @@ from kitrobot.text.suggestions import did_you_mean
 
 @dataclass(frozen=True)
 class Cell:
-    """A measure at a point: how many runs gave a number, its interval (None of fewer than two), its mean (None of none)."""
+    """A measure at a point: how many runs gave a number, its interval (None of fewer than two), its mean."""
 
     measure: str
     runs: int
