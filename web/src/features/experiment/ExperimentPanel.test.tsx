@@ -2,6 +2,7 @@ import { act } from "react";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 
 import type { ExperimentChoices, Study, StudyRun } from "../../api/generated";
+import { talk, talkThrough } from "../../api/line";
 import { moreWords, speak } from "../../i18n/words";
 import { useRun } from "../../session/run";
 import { useVaried, vary } from "../../session/varied";
@@ -33,18 +34,20 @@ class Socket extends EventTarget {
   }
 }
 
-vi.mock("../../api/line", () => ({
-  talk: () => ({
-    fetch: (address: string, init: RequestInit) => {
+const usual = talk();
+
+function talkToStudio(): void {
+  talkThrough({
+    fetch: (address, init) => {
       const name = address.split("?")[0] ?? "";
       asked.push([address, init.body]);
       const answer = answers[name];
       if (answer instanceof Response) return Promise.resolve(answer.clone());
       return Promise.resolve(new Response(JSON.stringify(answer ?? {})));
     },
-    socket: () => new Socket(),
-  }),
-}));
+    socket: () => new Socket() as unknown as WebSocket,
+  });
+}
 
 const SPEED = "carry.v1.speed";
 const CHOICES: ExperimentChoices = {
@@ -92,6 +95,7 @@ beforeEach(async () => {
   await speak("en");
   await moreWords();
   vi.useFakeTimers();
+  talkToStudio();
   asked.length = 0;
   sockets = [];
   answers = {
@@ -109,6 +113,7 @@ beforeEach(async () => {
 });
 afterEach(() => {
   page.end();
+  talkThrough(usual);
   vi.useRealTimers();
   vi.restoreAllMocks();
 });

@@ -1,46 +1,58 @@
-import { beforeAll, expect, test, vi } from "vitest";
+import { afterEach, beforeAll, beforeEach, expect, test, vi } from "vitest";
 
 import { api } from "../../api/client";
 import { moreWords } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { useDocument } from "../../session/document";
-import { download } from "../../ui/download";
 import { saveBoardFile } from "./board-file";
 import { chooseKit, dropKitQuestion, useKitQuestion } from "./kits";
 
-vi.mock("../../ui/download", () => ({ download: vi.fn() }));
-vi.mock("../../api/client", async (original) => {
-  const { api } = await original<{ api: object }>();
-  return { api: { ...api, boardFile: vi.fn() } };
-});
+const HEX = ":00000001FF\n";
+const MADE = { file: btoa(HEX), boards: "micro:bit V2", reasons: ["Too large."] };
+
+/** Names of files that the page gave the browser, and what is in them. */
+let saved: [name: string, content: Blob][] = [];
+
 beforeAll(moreWords);
 
+beforeEach(() => {
+  saved = [];
+  let content = new Blob();
+  vi.stubGlobal("URL", {
+    createObjectURL: (blob: Blob) => {
+      content = blob;
+      return "blob:1";
+    },
+    revokeObjectURL: () => undefined,
+  });
+  vi.spyOn(HTMLAnchorElement.prototype, "click").mockImplementation(function (this: HTMLAnchorElement) {
+    saved.push([this.download, content]);
+  });
+});
+
+afterEach(() => {
+  vi.restoreAllMocks();
+  vi.unstubAllGlobals();
+});
+
 test("it is asked what the robot is built of, and the file is saved for that kit with what is said of it", async () => {
-  vi.mocked(api.boardFile).mockResolvedValue({
-    file: btoa(":00000001FF\n"),
-    boards: "micro:bit V2",
-    reasons: ["Too large."],
-  });
+  const made = vi.spyOn(api, "boardFile").mockResolvedValue(MADE);
   saveBoardFile();
-  expect(api.boardFile).not.toHaveBeenCalled();
-  const asking = useKitQuestion.getState().asking;
-  chooseKit(asking?.address ?? "", "cutebot");
-  await vi.waitFor(() => {
-    expect(download).toHaveBeenCalled();
-  });
+  expect(made).not.toHaveBeenCalled();
+  chooseKit(useKitQuestion.getState().asking?.address ?? "", "cutebot");
+  await vi.waitFor(() => expect(useDocument.getState().banner).not.toBeNull());
   const { mission, file } = useStudio.getState();
   const program = mission.programs[0]?.name ?? "";
-  expect(api.boardFile).toHaveBeenCalledWith(mission, file.path, program, "cutebot");
-  const [name, bytes] = vi.mocked(download).mock.calls[0] ?? [];
-  expect([name, new TextDecoder().decode(bytes as Uint8Array)]).toEqual([`${program}.hex`, ":00000001FF\n"]);
+  expect(made).toHaveBeenCalledWith(mission, file.path, program, "cutebot");
+  expect(saved.map(([name, { size }]) => [name, size])).toEqual([[`${program}.hex`, HEX.length]]);
   const banner = useDocument.getState().banner;
   expect(banner?.message).toContain("micro:bit V2");
   expect(banner?.help).toMatch(/^Too large\. Plug the board in/);
 });
 
 test("who leaves the question saves nothing", () => {
-  vi.mocked(api.boardFile).mockClear();
+  const made = vi.spyOn(api, "boardFile").mockResolvedValue(MADE);
   saveBoardFile();
   dropKitQuestion();
-  expect(api.boardFile).not.toHaveBeenCalled();
+  expect(made).not.toHaveBeenCalled();
 });
