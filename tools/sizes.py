@@ -28,6 +28,7 @@ EXCEPTIONS = {
             ("src/kitrobot/cli/agent.py: run_agent", "parameters"),
             ("src/kitrobot/cli/bench.py: try_parts", "parameters"),
             ("src/kitrobot/cli/deploy.py: deploy_program", "parameters"),
+            ("src/kitrobot/cli/judge.py: judge_files", "parameters"),
             ("src/kitrobot/cli/probability.py: estimate_probability", "parameters"),
             ("src/kitrobot/cli/experiments.py: sweep_missions", "parameters"),
             ("src/kitrobot/cli/run.py: run_mission", "parameters"),

@@ -28,7 +28,7 @@ from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.model.timing import Timing
 from kitrobot.verifier.properties.custom_properties import build_custom_properties, property_variables
 from kitrobot.verifier.properties.properties import ready_properties
-from kitrobot.verifier.properties.property_automaton import PropertyAutomaton, Standing
+from kitrobot.verifier.properties.property_automaton import PropertyAutomaton, PropertyState
 from kitrobot.verifier.properties.verdicts import check_properties
 from kitrobot.world.geometry import Corner
 from kitrobot.world.model import Road, Section, Start, Storehouse, World
@@ -269,7 +269,7 @@ def is_history_broken(graph: Graph, one: AskedProperty, now: Callable[[State], t
     waiting, seen = [(graph.first, first)], {key(graph.first, first)}
     while waiting:
         state, automaton = waiting.pop()
-        if automaton.standing is Standing.BROKEN:
+        if automaton.standing is PropertyState.BROKEN:
             return True
         for to, _ in graph.steps[state]:
             following = copy.copy(automaton)
@@ -281,7 +281,7 @@ def is_history_broken(graph: Graph, one: AskedProperty, now: Callable[[State], t
     return False
 
 
-FORMS = [form for form in Form if form is not Form.HOLDS]
+FORMS: list[Form] = [form for form in Form if form is not Form.HOLDS]
 """Those that need no seconds."""
 
 
@@ -296,7 +296,7 @@ def random_property(rng: random.Random, form: Form, name: str) -> AskedProperty:
 
 @pytest.mark.parametrize("timing", list(Timing))
 def test_random_missions_come_where_brute_force_comes_and_break_what_it_breaks(timing: Timing) -> None:
-    said = {(form, broken): 0 for form in FORMS for broken in (True, False)}
+    said: dict[tuple[Form, bool], int] = {(form, broken): 0 for form in FORMS for broken in (True, False)}
     for seed in range(examples(10, 2000)):
         rng = random.Random(seed)
         run, texts = random_run(rng)

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kitrobot.mission.property_forms import AskedProperty, Form, VisitOrder
-from kitrobot.verifier.properties.property_automaton import PropertyAutomaton, Standing
+from kitrobot.verifier.properties.property_automaton import PropertyAutomaton, PropertyState
 from tests.effort import examples
 from tests.verifier.reference.property_meaning import Trace, is_broken_by_end, is_broken_so_far
 
@@ -41,7 +41,7 @@ def judge(one: AskedProperty, trace: Trace) -> tuple[PropertyAutomaton, int]:
     """The automaton after a trace, and the tick in which it was broken; -1 for none."""
     automaton = PropertyAutomaton(one, TICK_MS)
     for tick, now in enumerate(trace, 1):
-        if automaton.read(tick, now) is Standing.BROKEN:
+        if automaton.read(tick, now) is PropertyState.BROKEN:
             return automaton, tick
     return automaton, -1
 
@@ -53,7 +53,7 @@ def check(one: AskedProperty, trace: Trace) -> tuple[bool, bool]:
     assert broken == first, (one, trace)
     by_end = is_broken_by_end(one, trace, TICK_MS)
     assert automaton.is_broken_by_end() == by_end, (one, trace)
-    if automaton.standing is Standing.KEPT:
+    if automaton.standing is PropertyState.KEPT:
         rest = [tuple(not value for value in trace[-1]), *reversed(trace)] if trace else []
         assert not is_broken_by_end(one, [*trace, *rest], TICK_MS)
     return broken >= 0, by_end
@@ -83,8 +83,8 @@ def test_a_copy_goes_on_by_itself() -> None:
     first = PropertyAutomaton(one, TICK_MS)
     first.read(1, (True, False, False))
     second = copy.deepcopy(first)
-    assert first.read(2, (False, False, True)) is Standing.BROKEN
-    assert second.read(2, (False, True, False)) is Standing.OPEN
+    assert first.read(2, (False, False, True)) is PropertyState.BROKEN
+    assert second.read(2, (False, True, False)) is PropertyState.OPEN
 
 
 @pytest.mark.parametrize(
@@ -93,5 +93,5 @@ def test_a_copy_goes_on_by_itself() -> None:
 def test_a_deadline_is_kept_at_its_last_tick_and_broken_one_later(seconds: float, last: int) -> None:
     one = AskedProperty("asked", Form.EVENTUALLY, "A", seconds=seconds)
     automaton = PropertyAutomaton(one, TICK_MS)
-    assert automaton.read(last, (False,)) is Standing.OPEN
-    assert copy.deepcopy(automaton).read(last + 1, (True,)) is Standing.BROKEN
+    assert automaton.read(last, (False,)) is PropertyState.OPEN
+    assert copy.deepcopy(automaton).read(last + 1, (True,)) is PropertyState.BROKEN

@@ -16,6 +16,7 @@ from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_
 from kitrobot.diagnostics.read_files import expect_outputs
 
 if TYPE_CHECKING:
+    from kitrobot.judges.judgement import Judgement
     from kitrobot.judges.run_watch import RunWatch
     from kitrobot.primitives.kit import Kit
     from kitrobot.workspace.mission_run import PreparedRun, Run
@@ -91,9 +92,7 @@ def run_mission(
     sweep it is 0 when it was done in every run, or with `--pairs` done or failed.
     Of a run that is watched it is also 1 when a property breaks.
     """
-    from kitrobot.cli.judgements import judgement_lines
     from kitrobot.files.disk import replace_whole
-    from kitrobot.judges.judgement import exit_status
     from kitrobot.trace.drawing_svg import drawing_svg
     from kitrobot.workspace.mission_loader import open_mission
     from kitrobot.workspace.mission_run import RunOptions
@@ -113,7 +112,6 @@ def run_mission(
     if board is not None and trace is not None:
         words = "a recording brings its robots along as their files say, not as a kit was measured"
         raise typer.BadParameter(words, param_hint="'--board'")
-
     kit = _measured_kit(board, file) if board is not None else None
     prepared = open_mission(file).prepare(RunOptions(seed, seconds, fail_rate, trace, kit))
     expect_outputs(trace, drawing, picture)
@@ -122,20 +120,23 @@ def run_mission(
         _judge_failures(prepared, watched, fail_sweep, jobs, as_json)
         return
     if fail_sweep is not None:
-        from kitrobot.cli.sweep import MOMENTS, MOMENTS_OF_PAIRS, sweep_mission
-        from kitrobot.workspace.sweep import SweepOptions
-
-        moments = fail_sweep or (MOMENTS_OF_PAIRS if pairs else MOMENTS)
-        sweep_mission(prepared, SweepOptions(moments, pairs, jobs), picture, as_json)
+        _sweep(prepared, fail_sweep, pairs, jobs, picture, as_json)
         return
     watch = _watch_of(prepared, watched) if watched else None
     with _progress(seconds) as progress:
         run = prepared.run(progress, None if watch is None else watch.after_step)
-    judgements = watch.judgements(prepared.opened.name) if watch is not None else []
     if drawing is not None:
         world = prepared.simulation.world
         under = floor_svg(world) if floor else ()
         replace_whole(drawing, drawing_svg(run.strokes, world.width_mm, world.height_mm, under).encode())
+    _print_run(run, watch.judgements(prepared.opened.name) if watch is not None else [], as_json)
+
+
+def _print_run(run: Run, judgements: list[Judgement], as_json: bool) -> None:
+    """Gives what came of a run and of what was watched in it, and ends with that status."""
+    from kitrobot.cli.judgements import judgement_lines
+    from kitrobot.judges.judgement import exit_status
+
     if as_json:
         more = {"watched": [one.to_json() for one in judgements]} if judgements else {}
         print_data(json_text(run.to_json() | more) + "\n")
@@ -143,6 +144,17 @@ def run_mission(
         print_data(_summary(run) + "".join(f"{line}\n" for line in ("", *judgement_lines(judgements)) if judgements))
     if run.outcome != "done" or exit_status(judgements) == 1:
         raise typer.Exit(1)
+
+
+def _sweep(
+    prepared: PreparedRun, wanted: int, pairs: bool, jobs: int | None, picture: Path | None, as_json: bool
+) -> None:
+    """Runs a fail sweep, and ends with its status; `wanted` moments, 0 for as many as usual."""
+    from kitrobot.cli.sweep import MOMENTS, MOMENTS_OF_PAIRS, sweep_mission
+    from kitrobot.workspace.sweep import SweepOptions
+
+    moments = wanted or (MOMENTS_OF_PAIRS if pairs else MOMENTS)
+    sweep_mission(prepared, SweepOptions(moments, pairs, jobs), picture, as_json)
 
 
 def _watch_of(prepared: PreparedRun, questions: list[str]) -> RunWatch:
@@ -154,8 +166,8 @@ def _watch_of(prepared: PreparedRun, questions: list[str]) -> RunWatch:
 def _judge_failures(prepared: PreparedRun, questions: list[str], moments: int, jobs: int | None, as_json: bool) -> None:
     """Says in which runs of a sweep properties break, and ends with that status."""
     from kitrobot.cli.judgements import print_judgements
-    from kitrobot.judges.failure_judge import USUAL_MOMENTS, FailureOptions
     from kitrobot.judges.judgement import Judge
+    from kitrobot.judges.many_runs import USUAL_MOMENTS, FailureOptions
     from kitrobot.judges.mission_judges import JudgeOptions, judge_mission
 
     chosen = JudgeOptions((Judge.FAILURES,), failures=FailureOptions(moments or USUAL_MOMENTS, jobs))

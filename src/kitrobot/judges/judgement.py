@@ -24,7 +24,7 @@ class Judge(StrEnum):
     RECORDING = "recording"
 
 
-class Ruling(StrEnum):
+class JudgeAnswer(StrEnum):
     """What a judge says. Each means what that judge saw: one run, many, or all orders of events."""
 
     KEPT = "kept"
@@ -58,7 +58,7 @@ class Judgement:
     subject: str
     question: str
     words: Sentence
-    ruling: Ruling
+    ruling: JudgeAnswer
     reason: Sentence
     tick: int = -1
     tick_ms: float = 0.0
@@ -94,4 +94,4 @@ class Judgement:
 def exit_status(judgements: Iterable[Judgement]) -> int:
     """0 when all is kept, 1 when something is broken, 3 when nothing is and something is not decided."""
     rulings = {one.ruling for one in judgements}
-    return 1 if Ruling.BROKEN in rulings else 3 if Ruling.NOT_DECIDED in rulings else 0
+    return 1 if JudgeAnswer.BROKEN in rulings else 3 if JudgeAnswer.NOT_DECIDED in rulings else 0

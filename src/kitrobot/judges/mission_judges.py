@@ -11,10 +11,10 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from kitrobot.checking.verification import Finding, Verification, VerificationError, VerificationOptions, verify
-from kitrobot.experiments.probability import ProbabilityOptions, find_probability
 from kitrobot.experiments.run_question import OUTCOMES, RunJudge
-from kitrobot.judges.failure_judge import FailureOptions, judge_failures
-from kitrobot.judges.judgement import Judge, JudgeError, Judgement, Ruling
+from kitrobot.judges.judgement import Judge, JudgeAnswer, JudgeError, Judgement
+from kitrobot.judges.many_runs import FailureOptions, judge_failures, judge_runs
+from kitrobot.mission.property_forms import Form
 from kitrobot.mission.property_text import PropertyText, read_property
 from kitrobot.text.phrases import listed, shown
 from kitrobot.text.sentences import Sentence
@@ -93,16 +93,18 @@ def judge_mission(prepared: PreparedRun, questions: Sequence[str], options: Judg
         JudgeError: a number of the options makes no sense.
     """
     texts = list(questions) or [one.name for one in prepared.opened.mission.properties]
-    for question in [read_property(text) for text in texts]:
-        # Whoever asks for nonsense hears it from the first judge, and not from some.
-        judge = RunJudge(question, prepared.spec)
+    questions_read = [read_property(text) for text in texts]
+    # Whoever asks for nonsense hears it at once, and not from some judges.
+    judges = [RunJudge(question, prepared.spec) for question in questions_read]
+    checked = _CheckCache(prepared, questions_read, options)
+    for question, judge in zip(questions_read, judges, strict=True):
         for name in options.judges:
             if name is Judge.CHECK:
-                yield _judge_check(prepared, question, judge, options)
+                yield checked.judgement(question, judge.words)
             elif name is Judge.RUN:
                 yield _judge_run(prepared, question, judge, options)
             elif name is Judge.RUNS:
-                yield _judge_runs(prepared, question, options)
+                yield judge_runs(prepared, question, options.runs, options.failures.jobs, options.stop)
             elif name is Judge.FAILURES:
                 yield judge_failures(prepared, question, options.failures, options.stop)
 
@@ -115,60 +117,78 @@ def _judge_run(prepared: PreparedRun, question: PropertyText, judge: RunJudge, o
         return replace(made, reason=Sentence("it was broken off"))
     moment = f"{answer.tick * judge.tick_ms / 1000:.2f}"
     if answer.holds:
-        return replace(made, ruling=Ruling.KEPT, reason=Sentence("decided at {seconds} s", moment), seed=seed)
+        return replace(made, ruling=JudgeAnswer.KEPT, reason=Sentence("decided at {seconds} s", moment), seed=seed)
     reason = Sentence("broken at {seconds} s (tick {tick})", moment, answer.tick)
-    return replace(made, ruling=Ruling.BROKEN, reason=reason, tick=answer.tick, tick_ms=judge.tick_ms, seed=seed)
+    return replace(made, ruling=JudgeAnswer.BROKEN, reason=reason, tick=answer.tick, tick_ms=judge.tick_ms, seed=seed)
 
 
-def _judge_runs(prepared: PreparedRun, question: PropertyText, options: JudgeOptions) -> Judgement:
-    # Without a precision that could end them sooner, so many runs are made as are asked for.
-    chosen = ProbabilityOptions(0.001, most_runs=options.runs, jobs=options.failures.jobs)
-    found = find_probability(prepared, question.text, chosen, stop=options.stop)
-    made = _judgement(Judge.RUNS, prepared, question, found.words)
-    if found.interval is None:
-        return replace(made, reason=Sentence("it was broken off"))
-    low, high = (f"{one:.3f}" for one in (found.interval.low, found.interval.high))
-    if found.counterexamples:
-        first = found.counterexamples[0]
-        reason = Sentence(
-            "kept in {kept} of {runs} runs, first broken with seed {seed}; its probability is {low} to {high}",
-            *(found.holds, found.runs, first.seed, low, high),
+class _CheckCache:
+    """The check of several properties: one exploration for all of them, when the first one is asked for."""
+
+    def __init__(self, prepared: PreparedRun, questions: Sequence[PropertyText], options: JudgeOptions) -> None:
+        self._prepared, self._options = prepared, options
+        self._questions = [one for one in questions if _check_refusal(prepared, one) is None]
+        self._found: Verification | None = None
+        self._are_single = False
+
+    def judgement(self, question: PropertyText, words: Sentence) -> Judgement:
+        """What the check says of one of the properties."""
+        made = _judgement(Judge.CHECK, self._prepared, question, words)
+        refusal = _check_refusal(self._prepared, question)
+        if refusal is not None:
+            return replace(made, reason=refusal)
+        try:
+            found = self._verify([question]) if self._are_single else self._all()
+        except (PropertyError, AbstractionError, VerificationError) as error:
+            if self._are_single or len(self._questions) == 1:
+                return replace(made, reason=error.message)
+            # One of them cannot be checked: each is by itself then.
+            self._are_single = True
+            return self.judgement(question, words)
+        return _of_check(made, found, question.name or question.text)
+
+    def _all(self) -> Verification:
+        if self._found is None:
+            self._found = self._verify(self._questions)
+        return self._found
+
+    def _verify(self, questions: Sequence[PropertyText]) -> Verification:
+        options = self._options
+        return verify(
+            self._prepared,
+            VerificationOptions(
+                tuple(one.name for one in questions if one.name),
+                options.timings,
+                states=options.states,
+                seconds=options.check_seconds * len(questions),
+                stop=options.stop,
+                asked=tuple(replace(one.asked, name=one.text) for one in questions if one.asked is not None),
+            ),
         )
-        return replace(
-            made, ruling=Ruling.BROKEN, reason=reason, tick=first.tick, tick_ms=found.tick_ms, seed=first.seed
-        )
-    reason = Sentence("kept in {runs} runs; its probability is {low} to {high}", found.runs, low, high)
-    return replace(made, ruling=Ruling.KEPT, reason=reason)
 
 
-def _judge_check(prepared: PreparedRun, question: PropertyText, judge: RunJudge, options: JudgeOptions) -> Judgement:
-    made = _judgement(Judge.CHECK, prepared, question, judge.words)
-    if question.within_s is not None:
-        return replace(made, reason=Sentence("it counts seconds, and the states of a check have none"))
-    if question.name in OUTCOMES:
-        return replace(made, reason=Sentence("an outcome is of runs; a check is asked for properties"))
-    name = question.name or question.text
-    asked = () if question.asked is None else (replace(question.asked, name=name),)
-    chosen = VerificationOptions(
-        (question.name,) if question.name else (),
-        options.timings,
-        states=options.states,
-        seconds=options.check_seconds,
-        stop=options.stop,
-        asked=asked,
+def _check_refusal(prepared: PreparedRun, question: PropertyText) -> Sentence | None:
+    """Why a check cannot be asked that at all; None if it can."""
+    asked = question.asked or next(
+        (one for one in prepared.opened.mission.properties if one.name == question.name), None
     )
-    try:
-        found = verify(prepared, chosen)
-    except (PropertyError, AbstractionError, VerificationError) as error:
-        return replace(made, reason=error.message)
-    return _of_check(made, found)
+    is_timed = asked is not None and (asked.seconds > 0 or asked.form is Form.HOLDS)
+    if is_timed or question.within_s is not None:
+        return Sentence("it counts seconds, and the states of a check have none")
+    if asked is None and question.name in OUTCOMES:
+        return Sentence("an outcome is of runs; a check is asked for properties")
+    return None
 
 
-def _of_check(made: Judgement, found: Verification) -> Judgement:
+def _of_check(made: Judgement, found: Verification, name: str) -> Judgement:
     """One word on all assumptions that were checked."""
     broken: Finding | None = None
+    answers: set[Answer] = set()
     for column in found.columns:
         for finding in column.findings:
+            if finding.verdict.property.name != name:
+                continue
+            answers.add(finding.verdict.answer)
             is_broken = finding.verdict.answer is Answer.BROKEN
             if is_broken and (broken is None or (broken.confirmed is None and finding.confirmed is not None)):
                 broken = finding
@@ -183,7 +203,7 @@ def _of_check(made: Judgement, found: Verification) -> Judgement:
         faults = tuple((one.tick, one.agent, one.kind) for one in run.faults)
         return replace(
             made,
-            ruling=Ruling.BROKEN,
+            ruling=JudgeAnswer.BROKEN,
             reason=reason,
             tick=run.tick,
             tick_ms=found.tick_ms,
@@ -192,17 +212,18 @@ def _of_check(made: Judgement, found: Verification) -> Judgement:
         )
     if broken is not None:
         reason = Sentence("an order of events of the model breaks it; no run that was tried shows it")
-        return replace(made, ruling=Ruling.BROKEN, reason=reason)
-    answers = set(found.answers)
+        return replace(made, ruling=JudgeAnswer.BROKEN, reason=reason)
     if Answer.NOT_FINISHED in answers or not answers:
         return replace(made, reason=Sentence("nothing found in {states} states, and there are more", f"{states:,}"))
     if answers == {Answer.VACUOUS}:
         return replace(
-            made, ruling=Ruling.KEPT, reason=Sentence("what it is about never comes, in {states} states", f"{states:,}")
+            made,
+            ruling=JudgeAnswer.KEPT,
+            reason=Sentence("what it is about never comes, in {states} states", f"{states:,}"),
         )
     reason = Sentence("kept in every order of events, {states} states ({timings})", f"{states:,}", timings)
-    return replace(made, ruling=Ruling.KEPT, reason=reason)
+    return replace(made, ruling=JudgeAnswer.KEPT, reason=reason)
 
 
 def _judgement(judge: Judge, prepared: PreparedRun, question: PropertyText, words: Sentence) -> Judgement:
-    return Judgement(judge, prepared.opened.name, question.text, words, Ruling.NOT_DECIDED, Sentence(""))
+    return Judgement(judge, prepared.opened.name, question.text, words, JudgeAnswer.NOT_DECIDED, Sentence(""))

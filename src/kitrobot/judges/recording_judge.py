@@ -15,7 +15,7 @@ from pathlib import Path
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.experiments.run_question import OUTCOMES, find_ready_property, ready_properties_of
-from kitrobot.judges.judgement import Judge, JudgeError, Judgement, Ruling
+from kitrobot.judges.judgement import Judge, JudgeAnswer, JudgeError, Judgement
 from kitrobot.judges.recorded_events import breaks_ready_property
 from kitrobot.mission.property_forms import AskedProperty, Form
 from kitrobot.mission.property_text import PropertyText, read_property
@@ -27,7 +27,7 @@ from kitrobot.trace.source import ENDED
 from kitrobot.verifier.properties.conditions import AgentCondition, Member, PropertyError
 from kitrobot.verifier.properties.custom_properties import parse_conditions
 from kitrobot.verifier.properties.properties import Property
-from kitrobot.verifier.properties.property_automaton import PropertyAutomaton, Standing
+from kitrobot.verifier.properties.property_automaton import PropertyAutomaton, PropertyState
 from kitrobot.verifier.properties.ready_monitors import waited_long_enough
 from kitrobot.verifier.properties.run_conditions import RunConditions
 from kitrobot.workspace.mission_loader import OpenMission, open_mission
@@ -192,9 +192,9 @@ class _Recording:
                 if case.within_s is not None and record.tick * self._header.tick_ms > case.within_s * 1000:
                     continue
                 case.automaton.read(record.tick, [decided.holds(one) for one in case.conditions])
-                if case.automaton.standing is not Standing.OPEN and case.automaton.decided_at == record.tick:
+                if case.automaton.standing is not PropertyState.OPEN and case.automaton.decided_at == record.tick:
                     case.gap = gaps
-            open_cases = [case for case in open_cases if case.automaton.standing is Standing.OPEN]
+            open_cases = [case for case in open_cases if case.automaton.standing is PropertyState.OPEN]
             if not open_cases:
                 break
         for case in open_cases:
@@ -231,7 +231,7 @@ class _Recording:
         return self._of_ready(one)
 
     def _undecided(self, question: str, words: Sentence, reason: Sentence) -> Judgement:
-        return Judgement(Judge.RECORDING, self._reader.path.name, question, words, Ruling.NOT_DECIDED, reason)
+        return Judgement(Judge.RECORDING, self._reader.path.name, question, words, JudgeAnswer.NOT_DECIDED, reason)
 
     def _at(self, tick: int) -> str:
         return f"{tick * self._header.tick_ms / 1000:.2f}"
@@ -252,18 +252,18 @@ class _Recording:
         if case.unknown:
             reason = Sentence("what {name} read and stored was not recorded, or its robot has changed", case.unknown)
             return replace(made, reason=reason)
-        if automaton.standing is Standing.BROKEN:
+        if automaton.standing is PropertyState.BROKEN:
             if case.gap and asked.form not in _SURE_IN_GAPS:
                 return replace(made, reason=self._missing_ticks(case.gap))
             moment = Sentence(
                 "broken at {seconds} s (tick {tick})", self._at(automaton.decided_at), automaton.decided_at
             )
-            return replace(made, ruling=Ruling.BROKEN, reason=moment, tick=automaton.decided_at)
-        if automaton.standing is Standing.KEPT:
+            return replace(made, ruling=JudgeAnswer.BROKEN, reason=moment, tick=automaton.decided_at)
+        if automaton.standing is PropertyState.KEPT:
             reason = Sentence("decided at {seconds} s", self._at(automaton.decided_at))
             if case.gap and asked.form is Form.BEFORE:
                 return replace(made, reason=self._missing_ticks(case.gap))
-            return replace(made, ruling=Ruling.KEPT, reason=reason)
+            return replace(made, ruling=JudgeAnswer.KEPT, reason=reason)
         return self._of_end(case, made)
 
     def _of_end(self, case: _Case, made: Judgement) -> Judgement:
@@ -276,7 +276,7 @@ class _Recording:
         if not automaton.is_broken_by_end():
             is_over = outcome is not None
             reason = Sentence("kept in this run, to its end") if is_over else Sentence("kept in all that was recorded")
-            return replace(made, ruling=Ruling.KEPT, reason=reason)
+            return replace(made, ruling=JudgeAnswer.KEPT, reason=reason)
         since = self._at(max(0, automaton.waits_since))
         if outcome is None:
             reason = Sentence("the recording ends, and what is waited for since {seconds} s may still come", since)
@@ -287,7 +287,7 @@ class _Recording:
             reason = Sentence("the time of the run was up, and it waited only since {seconds} s", since)
             return replace(made, reason=reason)
         reason = Sentence("the run ended, and what it waited for since {seconds} s had not come", since)
-        return replace(made, ruling=Ruling.BROKEN, reason=reason, tick=last)
+        return replace(made, ruling=JudgeAnswer.BROKEN, reason=reason, tick=last)
 
     def _missing_ticks(self, count: int) -> Sentence:
         return Sentence.counted(
@@ -309,8 +309,8 @@ class _Recording:
             return replace(made, reason=Sentence("the recording ends before the run does"))
         reason = Sentence("the run ended at {seconds} s with the outcome {outcome}", self._at(last), outcome)
         if outcome == text.name:
-            return replace(made, ruling=Ruling.KEPT, reason=reason)
-        return replace(made, ruling=Ruling.BROKEN, reason=reason, tick=last)
+            return replace(made, ruling=JudgeAnswer.KEPT, reason=reason)
+        return replace(made, ruling=JudgeAnswer.BROKEN, reason=reason, tick=last)
 
     def _of_ready(self, one: Property) -> Judgement:
         made = replace(self._undecided(one.name, one.sentence, Sentence("")), tick_ms=self._header.tick_ms)
@@ -323,10 +323,10 @@ class _Recording:
             if event is not None:
                 moment = Sentence("broken at {seconds} s (tick {tick})", self._at(event.tick), event.tick)
                 agents = (self._header.agents[event.agent].name,) if event.agent >= 0 else ()
-                return replace(made, ruling=Ruling.BROKEN, reason=moment, tick=event.tick, agents=agents)
+                return replace(made, ruling=JudgeAnswer.BROKEN, reason=moment, tick=event.tick, agents=agents)
             if self._header.real:
                 return replace(made, reason=Sentence("real robots do not tell what they touch and reach"))
-            return replace(made, ruling=Ruling.KEPT, reason=Sentence("kept in all that was recorded"))
+            return replace(made, ruling=JudgeAnswer.KEPT, reason=Sentence("kept in all that was recorded"))
         if outcome is None:
             return replace(made, reason=Sentence("the recording ends before the run does"))
         if outcome == "failed" and one.spares_teams and self._header.plan is not None:
@@ -335,5 +335,5 @@ class _Recording:
             "the run ended at {seconds} s with the outcome {outcome}", self._at(self._reader.last_tick), outcome
         )
         if outcome in one.ends_as:
-            return replace(made, ruling=Ruling.BROKEN, reason=reason, tick=self._reader.last_tick)
-        return replace(made, ruling=Ruling.KEPT, reason=reason)
+            return replace(made, ruling=JudgeAnswer.BROKEN, reason=reason, tick=self._reader.last_tick)
+        return replace(made, ruling=JudgeAnswer.KEPT, reason=reason)

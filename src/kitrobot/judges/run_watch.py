@@ -6,19 +6,19 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from kitrobot.experiments.run_question import RunProperty, find_run_property
-from kitrobot.judges.judgement import Judge, Judgement, Ruling
+from kitrobot.judges.judgement import Judge, JudgeAnswer, Judgement
 from kitrobot.mission.property_text import read_property
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import Recorded, Sentence
-from kitrobot.verifier.report.replay import RunMonitoring
+from kitrobot.verifier.report.replay import RunObserver
 
 
 @dataclass
-class _Watched:
+class _WatchedProperty:
     question: str
     property: RunProperty
-    monitoring: RunMonitoring
+    monitoring: RunObserver
     within_s: float | None
     broken_at: int = -1
     kept_at: int = -1
@@ -38,11 +38,13 @@ class RunWatch:
 
     def __init__(self, run: Simulation, questions: Sequence[str]) -> None:
         self._run = run
-        self._watched: list[_Watched] = []
+        self._watched: list[_WatchedProperty] = []
         for text in questions:
             question = read_property(text)
             found = find_run_property(question, run)
-            self._watched.append(_Watched(question.text, found, RunMonitoring(found.property, run), question.within_s))
+            self._watched.append(
+                _WatchedProperty(question.text, found, RunObserver(found.property, run), question.within_s)
+            )
 
     def after_step(self) -> list[Event]:
         """Looks at the step that was just made; what broke in it."""
@@ -61,14 +63,14 @@ class RunWatch:
                 events += self._at_end(one, "time")
         return events
 
-    def _at_end(self, one: _Watched, outcome: str) -> list[Event]:
+    def _at_end(self, one: _WatchedProperty, outcome: str) -> list[Event]:
         if one.monitoring.is_broken_by_end(outcome) == one.property.is_reversed:
             one.kept_at = self._run.tick
             return []
         one.broken_at = self._run.tick
         return [self._event(one)]
 
-    def _event(self, one: _Watched) -> Event:
+    def _event(self, one: _WatchedProperty) -> Event:
         text = Recorded("the property {name} is broken", one.question)
         return Event(self._run.tick, "message", "", text, -1, "program")
 
@@ -76,19 +78,27 @@ class RunWatch:
         """What is known of each property; `subject` is the name of what runs."""
         return [self._judgement(one, subject) for one in self._watched]
 
-    def _judgement(self, one: _Watched, subject: str) -> Judgement:
+    def _judgement(self, one: _WatchedProperty, subject: str) -> Judgement:
         run = self._run
         reason = Sentence("the run goes on")
         made = Judgement(
-            Judge.RUN, subject, one.question, one.property.words, Ruling.NOT_DECIDED, reason, -1, run.tick_ms, run.seed
+            Judge.RUN,
+            subject,
+            one.question,
+            one.property.words,
+            JudgeAnswer.NOT_DECIDED,
+            reason,
+            -1,
+            run.tick_ms,
+            run.seed,
         )
         if one.broken_at >= 0:
             moment = f"{one.broken_at * run.tick_ms / 1000:.2f}"
             reason = Sentence("broken at {seconds} s (tick {tick})", moment, one.broken_at)
-            return replace(made, ruling=Ruling.BROKEN, reason=reason, tick=one.broken_at)
+            return replace(made, ruling=JudgeAnswer.BROKEN, reason=reason, tick=one.broken_at)
         if one.kept_at >= 0:
             reason = Sentence("kept in this run, to its end")
             if run.outcome is None or one.kept_at < run.tick:
                 reason = Sentence("decided at {seconds} s", f"{one.kept_at * run.tick_ms / 1000:.2f}")
-            return replace(made, ruling=Ruling.KEPT, reason=reason)
+            return replace(made, ruling=JudgeAnswer.KEPT, reason=reason)
         return made

@@ -30,7 +30,7 @@ from kitrobot.verifier.properties.conditions import (
 from kitrobot.verifier.properties.properties import BROKEN, KEPT, History, Property, SensedCondition
 from kitrobot.verifier.properties.property_automaton import (
     PropertyAutomaton,
-    Standing,
+    PropertyState,
     visit_in_order,
     visit_in_turn,
 )
@@ -258,11 +258,11 @@ class _ConditionMonitor:
 
     @property
     def is_kept(self) -> bool:
-        return self._automaton.standing is Standing.KEPT
+        return self._automaton.standing is PropertyState.KEPT
 
     def after_step(self) -> bool:
         truths = [self._decided.holds(condition) for condition in self._conditions]
-        return self._automaton.read(self._run.tick, truths) is Standing.BROKEN
+        return self._automaton.read(self._run.tick, truths) is PropertyState.BROKEN
 
     def at_end(self, outcome: str) -> bool:
         automaton = self._automaton

@@ -22,7 +22,7 @@ _ROUNDING = 1e-9
 """Of a tick: seconds are decimal numbers."""
 
 
-class Standing(Enum):
+class PropertyState(Enum):
     """How a property stands after a tick; only OPEN changes."""
 
     OPEN = "open"
@@ -44,7 +44,7 @@ class PropertyAutomaton:
 
     asked: AskedProperty
     tick_ms: float
-    standing: Standing = Standing.OPEN
+    standing: PropertyState = PropertyState.OPEN
     waits_since: int = -1
     decided_at: int = -1
     _count: int = 0
@@ -65,96 +65,96 @@ class PropertyAutomaton:
         seconds = self.asked.seconds
         return math.floor(seconds * 1000 / self.tick_ms + _ROUNDING) if seconds else None
 
-    def read(self, tick: int, truths: Sequence[bool]) -> Standing:
+    def read(self, tick: int, truths: Sequence[bool]) -> PropertyState:
         """Takes in one tick; ticks ascend, and the first one is 1.
 
         Args:
             tick: its number.
             truths: which of the conditions hold.
         """
-        if self.standing is Standing.OPEN:
+        if self.standing is PropertyState.OPEN:
             now = tuple(truths)
             comes = tuple(one and not was for one, was in zip(now, self._before, strict=True))
             self.standing = _STEPS[self.asked.form](self, tick, now, comes)
             self._before = now
-            if self.standing is not Standing.OPEN:
+            if self.standing is not PropertyState.OPEN:
                 self.decided_at = tick
-                if self.standing is Standing.KEPT:
+                if self.standing is PropertyState.KEPT:
                     self.waits_since = -1
         return self.standing
 
     def is_broken_by_end(self) -> bool:
         """Whether a run that ends here, and stays as it is, breaks it."""
-        return self.standing is Standing.BROKEN or (self.standing is Standing.OPEN and self.waits_since >= 0)
+        return self.standing is PropertyState.BROKEN or (self.standing is PropertyState.OPEN and self.waits_since >= 0)
 
     def _is_late(self, tick: int, since: int) -> bool:
         deadline = self.deadline
         return deadline is not None and since >= 0 and tick - since > deadline
 
-    def _never(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> Standing:
+    def _never(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> PropertyState:
         return _broken_if(all(now))
 
-    def _eventually(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> Standing:
+    def _eventually(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> PropertyState:
         if self._is_late(tick, 0):
-            return Standing.BROKEN
-        return Standing.KEPT if now[0] else Standing.OPEN
+            return PropertyState.BROKEN
+        return PropertyState.KEPT if now[0] else PropertyState.OPEN
 
-    def _after(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> Standing:
+    def _after(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> PropertyState:
         # What comes in a tick that is too late comes too late, though nothing is waited for then.
         if self._is_late(tick, self.waits_since):
-            return Standing.BROKEN
+            return PropertyState.BROKEN
         if now[1]:
             self.waits_since = -1
         elif now[0] and self.waits_since < 0:
             self.waits_since = tick
-        return Standing.OPEN
+        return PropertyState.OPEN
 
-    def _stays(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> Standing:
+    def _stays(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> PropertyState:
         first, second = self._before
         return _broken_if(first and not second and not any(now))
 
-    def _holds(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> Standing:
+    def _holds(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> PropertyState:
         if comes[0]:
             self._count = tick
         enough = math.ceil(self.asked.seconds * 1000 / self.tick_ms - _ROUNDING)
         return _broken_if(self._before[0] and not now[0] and tick - self._count < enough)
 
-    def _at_most(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> Standing:
+    def _at_most(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> PropertyState:
         self._count += comes[0]
         return _broken_if(self._count > self.asked.times)
 
-    def _before_other(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> Standing:
-        return Standing.KEPT if now[0] else _broken_if(now[1])
+    def _before_other(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> PropertyState:
+        return PropertyState.KEPT if now[0] else _broken_if(now[1])
 
-    def _again(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> Standing:
+    def _again(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> PropertyState:
         if any(self._is_late(tick, last) for last in self._last):
-            return Standing.BROKEN
+            return PropertyState.BROKEN
         self._last = [tick if one else last for one, last in zip(now, self._last, strict=True)]
         missing = [last for one, last in zip(now, self._last, strict=True) if not one]
         self.waits_since = min(missing, default=-1)
-        return Standing.OPEN
+        return PropertyState.OPEN
 
-    def _visit(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> Standing:
+    def _visit(self, tick: int, now: tuple[bool, ...], comes: tuple[bool, ...]) -> PropertyState:
         if len(self._visited) < len(now) and self._is_late(tick, 0):
-            return Standing.BROKEN
+            return PropertyState.BROKEN
         match self.asked.order:
             case VisitOrder.ANY:
                 self._visited.update(at for at, one in enumerate(now) if one)
             case VisitOrder.GIVEN:
                 following = visit_in_order(len(self._visited), now)
                 if following < 0:
-                    return Standing.BROKEN
+                    return PropertyState.BROKEN
                 self._visited = set(range(following))
             case VisitOrder.TURN:
                 following, visits = visit_in_turn(self._count, comes)
                 if following < 0:
-                    return Standing.BROKEN
+                    return PropertyState.BROKEN
                 self._visited.update((self._count + step) % len(now) for step in range(visits))
                 self._count = following
         if len(self._visited) < len(now):
-            return Standing.OPEN
+            return PropertyState.OPEN
         self.waits_since = -1
-        return Standing.OPEN if self.asked.order is VisitOrder.TURN else Standing.KEPT
+        return PropertyState.OPEN if self.asked.order is VisitOrder.TURN else PropertyState.KEPT
 
 
 def visit_in_order(visited: int, now: Sequence[bool]) -> int:
@@ -182,11 +182,11 @@ def visit_in_turn(following: int, comes: Sequence[bool]) -> tuple[int, int]:
     return (following if visits == sum(comes) else -1), visits
 
 
-def _broken_if(broken: bool) -> Standing:
-    return Standing.BROKEN if broken else Standing.OPEN
+def _broken_if(broken: bool) -> PropertyState:
+    return PropertyState.BROKEN if broken else PropertyState.OPEN
 
 
-_Step = Callable[[PropertyAutomaton, int, tuple[bool, ...], tuple[bool, ...]], Standing]
+_Step = Callable[[PropertyAutomaton, int, tuple[bool, ...], tuple[bool, ...]], PropertyState]
 _STEPS: dict[Form, _Step] = {
     Form.NEVER: PropertyAutomaton._never,
     Form.EVENTUALLY: PropertyAutomaton._eventually,

@@ -120,7 +120,7 @@ class RunJudgement(NamedTuple):
     tick: int
 
 
-class RunMonitoring:
+class RunObserver:
     """Monitors a run for a property, by its monitor or by the events and the outcome of the run.
 
     The run is before its first step. Events are kept of the last call of `advance` only, so `breaks` comes after each.
@@ -163,7 +163,7 @@ def judge_run(
         stop: polled now and then; True stops the search.
     """
     left = list(faults)
-    monitoring = RunMonitoring(one, run)
+    monitoring = RunObserver(one, run)
     next_poll = 0
     while run.outcome is None or left:
         if run.tick >= next_poll:
