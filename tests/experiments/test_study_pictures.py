@@ -39,7 +39,6 @@ def test_without_matplotlib_a_sentence_says_how_to_get_it(tmp_path: Path, monkey
 
 
 def test_one_axis_is_a_curve_two_are_a_map_and_more_are_refused(tmp_path: Path) -> None:
-    pytest.importorskip("matplotlib")
     [axes] = _study(tmp_path / "one", 1).plot().axes
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("agents.carrier", "seconds")
     figure = _study(tmp_path / "two", 2).plot("done")

@@ -17,7 +17,7 @@ def test_every_exception_is_a_name_that_there_is() -> None:
     assert set(EXCEPTIONS) <= {name for name, _ in names()}
 
 
-@pytest.mark.parametrize("name", ["Told", "Kept", "looking", "_WatchedProperty", "team_told", "RunSeen", "JSONParsed"])
+@pytest.mark.parametrize("name", ["Told", "Kept", "looking", "_Watched", "team_told", "RunSeen", "JSONParsed"])
 def test_participles_are_found(name: str) -> None:
     assert not is_noun(name)
 

@@ -18,7 +18,7 @@ BANNED = frozenset(
     {"numpy", "numba", "llvmlite", "orjson", "uvicorn", "uvloop", "websockets", "h11", "serial", "mpremote", "zenoh"}
     | {"rich", "typer", "python_minifier", "multiprocessing", "_multiprocessing", "concurrent.futures.process"}
     # What is not sent (`packaging.site_sources`, `packaging.site_packages`).
-    | {"idna", "platformdirs", "argparse", "configparser", "tomllib", "tracemalloc", "http.server", "http.cookiejar"}
+    | {"idna", "platformdirs", "argparse", "configparser", "tracemalloc", "http.server", "http.cookiejar"}
     | {"logging.handlers", "logging.config", "anyio._backends._trio", "starlette.testclient"}
 )
 
@@ -106,6 +106,10 @@ async def scenario(folder: Path) -> dict:
         lambda one: one["type"] != "progress",
     )
     told["sweep"] = messages[-1]["type"]
+    study = {"mission": mission, "path": "mine.krt", "axes": [], "seeds": "1-2", "measures": ["seconds"], "seconds": 5}
+    messages, _ = await heard("experiment", {"type": "start", **study}, lambda one: one["type"] != "progress")
+    _, runs = await ask("GET", f"experiment/runs?path=mine.krt&study={messages[-1]['study']['study']}&first=0&count=9")
+    told["experiment"] = [messages[-1]["type"], len(runs)]
     _, small = await ask("GET", "mission/new")
     messages, _ = await heard(
         "verify",

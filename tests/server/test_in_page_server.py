@@ -38,6 +38,7 @@ def test_a_page_opens_checks_runs_and_saves_where_only_is_what_a_browser_has(tmp
     # Where calls cannot be put to sleep.
     assert told["boards"] == "This browser cannot wait for robots while it does other things."
     assert told["sweep"] == "map"
+    assert told["experiment"] == ["study", 2]
     assert told["verify"] == "end"
     assert told["fleet"] == "A team as processes cannot run in a page."
     assert told["french"].startswith("La demande n'a pas été comprise")

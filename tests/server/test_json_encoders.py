@@ -49,6 +49,7 @@ RICH = """<kitrobot version="1" xmlns:o="urn:other">
 """
 
 Asking = Callable[["Both"], Any]
+NO_STUDY = {"path": "rich.krt", "study": "none"}
 
 
 class Both:
@@ -271,6 +272,19 @@ ASKED: dict[tuple[str, str], tuple[Asking, ...]] = {
             "board-file", mission=both.mission("example:heart/heart.krt"), path="", program="heart", kit=""
         ),
     ),
+    ("POST", "/api/experiment/choices"): (
+        lambda both: both.post("experiment/choices", mission=both.mission(), path="rich.krt"),
+    ),
+    ("POST", "/api/experiment/plan"): (
+        lambda both: both.post("experiment/plan", **experiment(both)),
+        lambda both: both.post("experiment/plan", **{**experiment(both), "seeds": "none"}),
+    ),
+    ("GET", "/api/experiment/study"): (lambda both: both.get("experiment/study", **NO_STUDY),),
+    ("GET", "/api/experiment/runs"): (lambda both: both.get("experiment/runs", **NO_STUDY, first=0, count=9),),
+    ("GET", "/api/experiment/table"): (lambda both: both.get("experiment/table", **NO_STUDY),),
+    ("POST", "/api/experiment/replay"): (
+        lambda both: both.page.post("/api/experiment/replay", params={**NO_STUDY, "row": 0}),
+    ),
     ("GET", "/api/tutorials"): (lambda both: both.get("tutorials"),),
     ("POST", "/api/tutorial/watch"): (
         lambda both: both.post(
@@ -306,13 +320,19 @@ ASKED: dict[tuple[str, str], tuple[Asking, ...]] = {
 }
 """What is asked of each route, with an answer and, where there is one, a refusal that is said by hand."""
 REFUSED = {
-    *(("POST", f"/api/{path}") for path in ("again/token", "firmware", "journal/forget")),
+    *(("POST", f"/api/{path}") for path in ("again/token", "firmware", "journal/forget", "experiment/replay")),
     *(("GET", f"/api/{path}") for path in ("board/trace", "trace")),
+    *(("GET", f"/api/experiment/{path}") for path in ("study", "runs", "table")),
     ("PUT", "/api/handed-out"),
 }
 """Those of which no answer is to be had here."""
 RANDOM = ("journal", "proof", "answered", "token", "recording", "stamp", "parts", "path", "modified")
 """Fields that are not the same in two studios, or two moments."""
+
+
+def experiment(both: Both) -> dict[str, Any]:
+    asked = {"axes": [], "seeds": "1-3", "measures": ["seconds"], "seconds": 5}
+    return {"mission": both.mission(), "path": "rich.krt", **asked}
 
 
 def first_beginning(both: Both, starter: bool = True) -> dict[str, str]:
