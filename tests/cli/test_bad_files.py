@@ -14,7 +14,7 @@ from tests.cli.conftest import EXAMPLE
 
 NOBODY = ("--to", "socket://127.0.0.1:9")
 ROBOT = ("--robot", "mini-robot")
-FORMS = ("krt", "lll", "kri", "kra", "svg", "png", "pdf")
+FORMS = ("krt", "lll", "kri", "kra", "svg", "png", "pdf", "hex")
 READS = {
     **{f"check {form}": ("check", f"bad.{form}") for form in FORMS},
     **{
@@ -28,6 +28,9 @@ READS = {
     "run": ("run", "bad.krt"),
     "run recorded": ("run", EXAMPLE, "--seconds", "0.1", "--trace", "bad.krtrace"),
     "verify": ("verify", "bad.krt", "--seconds", "1"),
+    "verify a recording": ("verify", "bad.krtrace"),
+    "judge": ("judge", "bad.krt", "--property", "done", "--by", "run", "--seconds", "1"),
+    "judge a recording": ("judge", "bad.krtrace", "--property", "done"),
     "probability": ("probability", "bad.krt", "done", "--precision", "0.2"),
     "sweep": ("sweep", "bad.krt", "--seeds", "1"),
     "replay": ("replay", "bad.krtrace"),
@@ -49,6 +52,7 @@ READS = {
     "exec inputs": ("exec", "good.lll", *ROBOT, "--ticks", "1", "--inputs", "bad.csv"),
     "exec robot": ("exec", "good.lll", "--robot", "bad.robot.xml", "--ticks", "1"),
     "deploy": ("deploy", "bad.krt", *NOBODY),
+    "deploy to a file": ("deploy", "bad.krt", "--file", "out.hex"),
     "deploy team": ("deploy", "bad.krt", "--team", "--board", f"robot-1={NOBODY[1]}"),
     "deploy text": ("deploy", "bad.lll", "--robot", "microbit", *NOBODY),
     "bench robot": ("bench", NOBODY[1], "--all", "--robot", "bad.robot.xml"),
@@ -67,6 +71,7 @@ DEVICES = ("endless device", "nothing")
 WITH_JSON = (
     "check",
     "run",
+    "judge",
     "verify",
     "replay",
     "diff",
