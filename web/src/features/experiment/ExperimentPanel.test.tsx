@@ -4,6 +4,8 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import type { ExperimentChoices, Study, StudyRun } from "../../api/generated";
 import { talk, talkThrough } from "../../api/line";
 import { moreWords, speak } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
+import { CARRIER, fileOf, missionOf } from "../../model/testing/missions";
 import { useRun } from "../../session/run";
 import { useVaried, vary } from "../../session/varied";
 import { type Hands, handsOn } from "../../testing/hands";
@@ -94,7 +96,8 @@ async function settle(): Promise<void> {
 beforeEach(async () => {
   await speak("en");
   await moreWords();
-  vi.useFakeTimers();
+  // A picture that is asked for while intervals are faked would be the last one of the window.
+  vi.useFakeTimers({ toFake: ["setTimeout", "clearTimeout"] });
   talkToStudio();
   asked.length = 0;
   sockets = [];
@@ -105,6 +108,7 @@ beforeEach(async () => {
     "api/experiment/runs": RUNS,
     "api/experiment/replay": { recording: "r7" },
   };
+  useStudio.getState().openMission(fileOf(missionOf(CARRIER)));
   useStudy.setState(useStudy.getInitialState(), true);
   useVaried.setState({ axes: [] });
   changeSetup({ seeds: "1-2", measures: ["seconds"], own: "", seconds: "60" });
@@ -193,7 +197,7 @@ describe("the work", () => {
     expect(textOf("experiment-done")).toBe("2 of 4 runs");
     hands.click("experiment-resume");
     page.act(() => sockets[1]?.dispatchEvent(new Event("open")));
-    expect(sockets[1]?.sent).toEqual([{ type: "resume", path: "", study: "carry-study" }]);
+    expect(sockets[1]?.sent).toEqual([{ type: "resume", path: "test.krt", study: "carry-study" }]);
     page.act(() => sockets[1]?.dispatchEvent(new Event("close")));
     expect(textOf("refused")).toContain("Every run that had ended is kept");
   });
@@ -228,7 +232,7 @@ describe("a study", () => {
     expect(document.activeElement).toBe(hands.find("run-1"));
     hands.press("run-1", "Enter");
     await settle();
-    expect(asked.at(-1)?.[0]).toBe("api/experiment/replay?path=&study=carry-study&row=1");
+    expect(asked.at(-1)?.[0]).toBe("api/experiment/replay?path=test.krt&study=carry-study&row=1");
     expect(replay).toHaveBeenCalledWith(expect.objectContaining({ recording: "r7" }));
     expect(hands.find("run-1").dataset["played"]).toBe("true");
     expect(textOf("experiment-chosen")).toContain("Seed 2: seconds 31 · All is done.");
