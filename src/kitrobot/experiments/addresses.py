@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from typing import Final
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.experiments.variant import Value, Variant
@@ -19,6 +20,10 @@ from kitrobot.text.sentences import Help, Sentence
 from kitrobot.text.suggestions import did_you_mean
 
 Put = Callable[[Variant, Value], None]
+
+
+PROGRAM: Final = "program."
+"""How addresses of whole programs begin; their values are names of LLL files."""
 
 
 class ExperimentError(KitRobotError):

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from kitrobot.compiler.text.lll_to_graph import lll_to_graph
 from kitrobot.diagnostics.problems import ProblemsError
-from kitrobot.experiments.addresses import Address, Put, collect_addresses
+from kitrobot.experiments.addresses import PROGRAM, Address, Put, collect_addresses
 from kitrobot.experiments.team_size import MOST_OF_A_PROGRAM, set_team_size
 from kitrobot.experiments.variant import Value, Variant
 from kitrobot.experiments.world_addresses import world_addresses
@@ -121,7 +121,7 @@ def _team_addresses(opened: OpenMission) -> Iterator[Address]:
     mission = opened.mission
     for program in mission.programs:
         if program.target:
-            yield Address(f"program.{program.name}", program.name, _nothing, 1, 0, any_word=True)
+            yield Address(f"{PROGRAM}{program.name}", program.name, _nothing, 1, 0, any_word=True)
     counts = Counter((agent.program, agent.robot) for agent in mission.team.agents)
     for (name, robot), count in counts.items():
         # Those of a team run one program, whatever they are.

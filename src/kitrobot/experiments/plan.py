@@ -17,7 +17,7 @@ from typing import Any
 
 import kitrobot
 from kitrobot.diagnostics.problems import ProblemsError
-from kitrobot.experiments.addresses import ExperimentError
+from kitrobot.experiments.addresses import PROGRAM, ExperimentError
 from kitrobot.experiments.axes import AxisGroup, count_points, point_at, read_axes, read_table
 from kitrobot.experiments.measures import USUAL, Measure, make_meter, read_measures
 from kitrobot.experiments.mission_addresses import mission_addresses
@@ -37,7 +37,6 @@ from kitrobot.workspace.traces import parts_of
 FORMAT = 1
 PLAN_FILE = "plan.toml"
 MOST_ROWS = 100_000_000
-_PROGRAM = "program."
 
 Function = Callable[[Any], Any]
 """A measure in Python: given the recording of a run (`workspace.traces.OpenTrace`), it gives a number or None."""
@@ -197,7 +196,7 @@ def _files(axes: Sequence[AxisGroup]) -> list[TracePart]:
     found: dict[str, TracePart] = {}
     for group in axes:
         for at, address in enumerate(group.addresses):
-            if address.startswith(_PROGRAM):
+            if address.startswith(PROGRAM):
                 for name in dict.fromkeys(str(row[at]) for row in group.rows):
                     found.setdefault(name, TracePart(name, read_text(Path(name))))
     return list(found.values())

@@ -15,7 +15,7 @@ from typing import Any
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.diagnostics.problems import ProblemsError
-from kitrobot.experiments.addresses import ExperimentError
+from kitrobot.experiments.addresses import PROGRAM, ExperimentError
 from kitrobot.experiments.measures import Meter, make_meter
 from kitrobot.experiments.mission_addresses import mission_addresses, put_program
 from kitrobot.experiments.plan import Function, Plan, first_problem
@@ -122,7 +122,7 @@ class PointRunner:
         point = self._plan.point(row)
         variant = variant_of(self._opened, self._plan.fail_rate)
         # Programs first: what stands in them is then what addresses of their parts change.
-        for name, value in sorted(point.items(), key=lambda item: not item[0].startswith("program.")):
+        for name, value in sorted(point.items(), key=lambda item: not item[0].startswith(PROGRAM)):
             self._put(variant, name, value)
         opened = open_variant(variant, self._opened)
         return opened.prepare(RunOptions(self._plan.seed(row), self._plan.seconds, variant.fail_rate))
@@ -143,10 +143,10 @@ class PointRunner:
         address = self._addresses.get(name)
         if address is None:
             raise ExperimentError(Sentence("this mission has no `{address}` that could vary", name))
-        if name.startswith("program."):
+        if name.startswith(PROGRAM):
             file = next((part for part in self._plan.files if part.file == value), None)
             if file is not None:
-                put_program(variant, name.removeprefix("program."), file.text, self._opened.catalogue, file.file)
+                put_program(variant, name.removeprefix(PROGRAM), file.text, self._opened.catalogue, file.file)
             return
         address.put(variant, address.check(value))
 

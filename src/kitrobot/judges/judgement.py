@@ -6,7 +6,7 @@ Left to others: how a judge comes to it (mission_judges, recording_judge, run_wa
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Any
 
@@ -70,6 +70,18 @@ class Judgement:
     def seconds(self) -> float | None:
         """When it broke, in simulated seconds; None where there is no such moment."""
         return round(self.tick * self.tick_ms / 1000, 3) if self.tick >= 0 else None
+
+    def kept_at(self, tick: int) -> Judgement:
+        """The same, kept: it was decided in that tick."""
+        return replace(self, ruling=JudgeAnswer.KEPT, reason=Sentence("decided at {seconds} s", self._moment(tick)))
+
+    def broken_at(self, tick: int) -> Judgement:
+        """The same, broken in that tick."""
+        reason = Sentence("broken at {seconds} s (tick {tick})", self._moment(tick), tick)
+        return replace(self, ruling=JudgeAnswer.BROKEN, reason=reason, tick=tick)
+
+    def _moment(self, tick: int) -> str:
+        return f"{tick * self.tick_ms / 1000:.2f}"
 
     def to_json(self) -> dict[str, Any]:
         """As plain values, in the published shape."""

@@ -115,11 +115,8 @@ def _judge_run(prepared: PreparedRun, question: PropertyText, judge: RunJudge, o
     made = _judgement(Judge.RUN, prepared, question, judge.words)
     if answer is None:
         return replace(made, reason=Sentence("it was broken off"))
-    moment = f"{answer.tick * judge.tick_ms / 1000:.2f}"
-    if answer.holds:
-        return replace(made, ruling=JudgeAnswer.KEPT, reason=Sentence("decided at {seconds} s", moment), seed=seed)
-    reason = Sentence("broken at {seconds} s (tick {tick})", moment, answer.tick)
-    return replace(made, ruling=JudgeAnswer.BROKEN, reason=reason, tick=answer.tick, tick_ms=judge.tick_ms, seed=seed)
+    made = replace(made, tick_ms=judge.tick_ms, seed=seed)
+    return made.kept_at(answer.tick) if answer.holds else made.broken_at(answer.tick)
 
 
 class _CheckCache:

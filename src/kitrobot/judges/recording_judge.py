@@ -255,15 +255,11 @@ class _Recording:
         if automaton.standing is PropertyState.BROKEN:
             if case.gap and asked.form not in _SURE_IN_GAPS:
                 return replace(made, reason=self._missing_ticks(case.gap))
-            moment = Sentence(
-                "broken at {seconds} s (tick {tick})", self._at(automaton.decided_at), automaton.decided_at
-            )
-            return replace(made, ruling=JudgeAnswer.BROKEN, reason=moment, tick=automaton.decided_at)
+            return made.broken_at(automaton.decided_at)
         if automaton.standing is PropertyState.KEPT:
-            reason = Sentence("decided at {seconds} s", self._at(automaton.decided_at))
             if case.gap and asked.form is Form.BEFORE:
                 return replace(made, reason=self._missing_ticks(case.gap))
-            return replace(made, ruling=JudgeAnswer.KEPT, reason=reason)
+            return made.kept_at(automaton.decided_at)
         return self._of_end(case, made)
 
     def _of_end(self, case: _Case, made: Judgement) -> Judgement:
@@ -321,9 +317,8 @@ class _Recording:
         if one.seen_as:
             event = next((event for _, event in self._reader.events if breaks_ready_property(event, one.seen_as)), None)
             if event is not None:
-                moment = Sentence("broken at {seconds} s (tick {tick})", self._at(event.tick), event.tick)
                 agents = (self._header.agents[event.agent].name,) if event.agent >= 0 else ()
-                return replace(made, ruling=JudgeAnswer.BROKEN, reason=moment, tick=event.tick, agents=agents)
+                return replace(made.broken_at(event.tick), agents=agents)
             if self._header.real:
                 return replace(made, reason=Sentence("real robots do not tell what they touch and reach"))
             return replace(made, ruling=JudgeAnswer.KEPT, reason=Sentence("kept in all that was recorded"))

@@ -93,12 +93,9 @@ class RunWatch:
             run.seed,
         )
         if one.broken_at >= 0:
-            moment = f"{one.broken_at * run.tick_ms / 1000:.2f}"
-            reason = Sentence("broken at {seconds} s (tick {tick})", moment, one.broken_at)
-            return replace(made, ruling=JudgeAnswer.BROKEN, reason=reason, tick=one.broken_at)
+            return made.broken_at(one.broken_at)
         if one.kept_at >= 0:
-            reason = Sentence("kept in this run, to its end")
             if run.outcome is None or one.kept_at < run.tick:
-                reason = Sentence("decided at {seconds} s", f"{one.kept_at * run.tick_ms / 1000:.2f}")
-            return replace(made, ruling=JudgeAnswer.KEPT, reason=reason)
+                return made.kept_at(one.kept_at)
+            return replace(made, ruling=JudgeAnswer.KEPT, reason=Sentence("kept in this run, to its end"))
         return made

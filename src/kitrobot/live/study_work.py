@@ -10,7 +10,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from kitrobot.experiments.addresses import ExperimentError
+from kitrobot.experiments.addresses import PROGRAM, ExperimentError
 from kitrobot.experiments.mission_studies import choose_study_folder
 from kitrobot.experiments.plan import Plan, StudyRequest, plan_study
 from kitrobot.experiments.study import choose_executor
@@ -29,7 +29,6 @@ MOST_RUNS_TOLD = 5000
 _TIMES_ITS_COST = 5
 _LEAST_PAUSE_S = 1.0
 """Between two looks at the whole study while it grows."""
-_PROGRAM = "program."
 
 
 def study_request(asked: ExperimentAskShape) -> StudyRequest:
@@ -39,7 +38,7 @@ def study_request(asked: ExperimentAskShape) -> StudyRequest:
         ExperimentError: one does.
     """
     for axis in asked.axes:
-        if axis.address.strip().startswith(_PROGRAM):
+        if axis.address.strip().startswith(PROGRAM):
             raise ExperimentError(
                 Sentence("`{address}` has files as its values, which a page cannot name", axis.address.strip()),
                 Sentence("vary whole programs with `kitrobot sweep`"),
