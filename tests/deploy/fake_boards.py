@@ -84,7 +84,10 @@ class FakeRobot:
 
 
 class FakePrompt:
-    """A board at MicroPython's prompt, or in raw paste mode, that starts `program` `starts_s` after a reset."""
+    """A board at MicroPython's prompt, or in raw paste mode, that starts `program` `starts_s` after a reset.
+
+    As on a real one, Ctrl-B and Ctrl-D count on an empty line only.
+    """
 
     def __init__(
         self, program: Callable[[bytes], Answers] | None = None, starts_s: float = 1.0, pasting: bool = False
@@ -94,6 +97,7 @@ class FakePrompt:
         self.pasting = pasting
         self.runs = False
         self.pasted = 0
+        self.line = b""
 
     def __call__(self, data: bytes) -> Answers:
         if self.runs and self.program is not None:
@@ -109,14 +113,16 @@ class FakePrompt:
                 elif self.pasted % 128 == 0:
                     yield 0.01, b"\x01"
             elif sign == b"\r":
+                self.line = b""
                 yield 0.01, b"\r\n>>> "
-            elif sign == b"\x02":
+            elif sign == b"\x02" and not self.line:
                 yield 0.01, b"\r\nMicroPython v1.22; made up\r\n>>> "
-            elif sign == b"\x04":
+            elif sign == b"\x04" and not self.line:
                 yield 0.01, b"\r\nMPY: soft reboot\r\n"
                 self.runs = self.program is not None
                 if not self.runs:
                     yield 0.02, b"MicroPython v1.22; made up\r\n>>> "
                 return
-            elif sign.isalnum() or sign in b"~ ":
+            elif sign >= b" ":
+                self.line += sign
                 yield 0.01, sign

@@ -123,6 +123,12 @@ def test_at_the_prompt_the_program_is_started_and_waited_for(starts_s: float) ->
     assert greeted(FakeLine(FakePrompt(FakeRobot(), starts_s))).hello.free == 5000
 
 
+def test_a_greeting_of_any_number_harms_no_prompt(monkeypatch: pytest.MonkeyPatch) -> None:
+    for first in range(1, 256):
+        monkeypatch.setattr("random.randrange", lambda *bounds, first=first: first)
+        assert greeted(FakeLine(FakePrompt(FakeRobot()))).hello.free == 5000, first
+
+
 def test_a_prompt_without_a_program_of_ours_is_known_at_once() -> None:
     line = FakeLine(FakePrompt())
     with pytest.raises(SilentError) as error:

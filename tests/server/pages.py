@@ -106,6 +106,17 @@ class RunPage(Watcher):
                 return told
             self.until("tick")
 
+    def restart(self) -> dict[str, Any]:
+        """What is said once it runs from its beginning again; watchers are told that and its state in any order."""
+        status, first = "", None
+        while status != "running" or first is None:
+            said = self.next()
+            if said["type"] == "state":
+                status = said["status"]
+            elif said["type"] == "tick" and said["again"]:
+                first = said
+        return first
+
 
 class Page:
     """The page's end of a socket. Every message is held against its published shape."""

@@ -218,7 +218,9 @@ def the_list_of_what_happened_says_who_brought_it_about_and_leads_there(studio):
     studio.at("event-list").locator('tr[data-kind="failure"] button').click()
     expect(studio.at("event-strip")).to_have_attribute("aria-valuenow", at)
     expect(studio.at("status")).to_have_attribute("data-status", "paused")
-    expect(studio.at("event-list").locator("tbody tr").first).to_have_attribute("data-cause", "person")
+    # A program may have done something in the same tick, which is above it then.
+    expect(row).to_have_attribute("data-cause", "person")
+    expect(row).to_be_in_viewport()
 
 
 def test_a_schedule_and_chance_let_robots_fail(open_studio):

@@ -132,8 +132,9 @@ export function MenuBar({ menus: all }: { menus: MenuPart[] }) {
                 setAt(index);
                 setOpen(open === index ? -1 : index);
               }}
-              onPointerEnter={() => {
-                if (open < 0) return;
+              onPointerEnter={({ pointerType }) => {
+                // A finger comes only to press: the click that follows would close what opened here.
+                if (open < 0 || pointerType === "touch") return;
                 setAt(index);
                 setOpen(index);
               }}
