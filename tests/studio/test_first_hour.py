@@ -76,7 +76,7 @@ class Doer(Hands):
             self.drop(part, target)
 
     def begin_nothing(self, robot: str = "mini-robot") -> None:
-        """From the sheet of an empty folder to a program without parts; on a phone to its list of parts."""
+        """From the sheet of an empty folder to a program without parts."""
         studio = self.studio
         if self.device == "keys":
             expect(studio.at("new-robots-mini-robot")).to_be_focused()
@@ -87,8 +87,13 @@ class Doer(Hands):
             self.press(studio.page.locator("label", has=studio.at("new-starter-nothing")))
             self.press("new-begin")
         studio.expect_opened()
-        if self.device == "touch":
-            self.tap("room-palette")
+
+    def begin_with(self, part: str, letters: str) -> None:
+        """The first part: one of those that an empty program offers; a phone shows the list of parts then."""
+        if self.device == "keys":
+            self.add(part, "", letters)
+        else:
+            self.press(f"first-{part}")
 
     def after_selected(self) -> str:
         """The arc behind the part that was added last."""
@@ -108,26 +113,31 @@ def in_body(doer: Doer) -> Locator:
 
 def drive_a_square(doer: Doer) -> None:
     doer.begin_nothing()
-    if doer.device == "mouse":
-        doer.add("Repetition", "first-place", "")
-        doer.add("Pen.PenDown", "arc-start.next", "")
-    else:
+    if doer.device == "keys":
         doer.add("Pen.PenDown", "", "pe")
-        doer.add("Repetition", "", "re")
+    doer.begin_with("Repetition", "re")
     doer.add("Wheel.DriveBy", in_body(doer), "dr")
     doer.add("Motor.LeftBy", doer.after_selected(), "lef")
     doer.studio.expect_code("10*(  Wheel.DriveBy(30);  Motor.LeftBy(90);")
+    if doer.device == "mouse":
+        doer.add("Pen.PenDown", "arc-start.next", "")
+    elif doer.device == "touch":
+        # Behind the turn: the first side is drawn in the second round.
+        doer.add("Pen.PenDown", "", "")
     doer.run()
 
 
 def turn_at_walls(doer: Doer) -> None:
     doer.begin_nothing()
-    doer.add("Forever", "first-place", "fore")
+    doer.begin_with("Forever", "fore")
     doer.add("Wheel.Advance", in_body(doer), "keep d")
-    doer.add("Wait Until", doer.after_selected(), "wait u")
-    waiting = doer.studio.page.locator(".vertex.is-selected").get_attribute("data-testid") or ""
-    doer.add("Captor.LessThan", f"slot-{waiting.removeprefix('vertex-')}.condition", "near")
-    doer.add("Motor.RightBy", f"arc-{waiting.removeprefix('vertex-')}.next", "right")
+    driving = doer.after_selected()
+    if doer.device == "mouse":
+        doer.add("Motor.RightBy", driving, "")
+        doer.add("Captor.LessThan", driving, "")
+    else:
+        doer.add("Captor.LessThan", "", "near")
+        doer.add("Motor.RightBy", "", "right")
     expect(doer.studio.at("code")).to_contain_text(
         re.compile(r"\*\(\s*Wheel\.Advance\(50\);\s*<Captor\.LessThan\(50\)>.*Motor\.RightBy\(90\)")
     )
@@ -136,7 +146,7 @@ def turn_at_walls(doer: Doer) -> None:
 
 def play_a_tune(doer: Doer) -> None:
     doer.begin_nothing("microbit")
-    doer.add("Music.Play", "first-place", "")
+    doer.begin_with("Music.Play", "")
     doer.studio.expect_code("Music.Play(")
     doer.run()
 
@@ -147,11 +157,10 @@ def make_a_world(doer: Doer) -> None:
     begun = doer.made
     doer.begin_nothing()
     doer.made = begun
-    doer.press("tab-of-world")
-    doer.press("edit-world")
     stage = studio.at("world-stage")
     for kind, (x, y) in {"wall": (0.3, 0.4), "ball": (0.6, 0.4), "start": (0.6, 0.7)}.items():
-        doer.press(f"world-tool-{kind}")
+        doer.press(f"arena-add-{kind}" if kind == "wall" else f"world-tool-{kind}")
+        expect(studio.at("edit-world")).to_have_count(0)
         box = place_of(stage)
         doer.made += 1
         place = {"x": x * box["width"], "y": y * box["height"]}

@@ -224,6 +224,15 @@ export function standsInChain(shape: Shape): boolean {
   return shape.role === "instruction";
 }
 
+/** The instruction that only waits for a condition: a test that is dropped into a chain comes in one. */
+export function waitingFor(parts: Parts, test: Shape): Shape | undefined {
+  if (test.role !== "condition") return undefined;
+  return parts.all.find(
+    ({ role, flows, fields, plugs }) =>
+      role === "instruction" && flows.length + fields.length === 0 && plugs.map((plug) => plug.accepts).join() === "condition",
+  );
+}
+
 /** The name as the reader knows it: "Repeat while", "Wheels Drive". */
 export function title(shape: Shape): string {
   const object = objectTitle(shape);

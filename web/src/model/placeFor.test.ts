@@ -49,6 +49,17 @@ describe("the place of a part that nobody pointed at", () => {
     expect(near("v13", "Cargo.IsPressed")).toEqual({ kind: "void" });
   });
 
+  it("is behind the selection, or on the selected arc, for a test that may be waited for", () => {
+    const structure = readStructure(CARRIER, PARTS);
+    const wait = (vertex: string | null, arc: { source: string; out: string } | null, element: string) =>
+      placeFor(structure, { vertex, arc }, PARTS.shape(element), true);
+    expect(wait("v13", null, "Cargo.IsPressed")).toEqual({ kind: "arc", source: "v13", out: "next" });
+    expect(wait(null, { source: "v11", out: "body" }, "Run.IsTrue")).toEqual({ kind: "arc", source: "v11", out: "body" });
+    // A slot that fits it comes first; with nothing selected it lies beside the program.
+    expect(wait("v4", null, "Cargo.IsPressed")).toEqual({ kind: "slot", vertex: "v4", slot: "condition" });
+    expect(wait(null, null, "Cargo.IsPressed")).toEqual({ kind: "void" });
+  });
+
   it("is the parallel around the selection for a branch, or nothing", () => {
     expect(near("v6", "Branch")).toEqual({ kind: "vertex", vertex: "v3" });
     expect(near(null, "Branch")).toEqual({ kind: "vertex", vertex: "v3" });

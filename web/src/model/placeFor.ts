@@ -12,11 +12,18 @@ export interface Around {
   arc: { source: string; out: string } | null;
 }
 
-/** The place, or null when there is none (a branch without a constructor to add it to). */
-export function placeFor(structure: Structure, around: Around, shape: Shape): Place | null {
+/**
+ * The place, or null when there is none (a branch without a constructor to add it to). `waits`: where no slot fits a test,
+ * the program waits for it at the selected arc, or after the selected vertex.
+ */
+export function placeFor(structure: Structure, around: Around, shape: Shape, waits = false): Place | null {
   const spot = around.vertex === null ? undefined : findSpot(structure, around.vertex);
   if (shape.role === "branch") return branchPlace(structure, spot, shape);
-  if (!standsInChain(shape)) return slotPlace(structure, spot, shape) ?? { kind: "void" };
+  if (!standsInChain(shape)) {
+    const slot = waits && around.arc !== null ? null : slotPlace(structure, spot, shape);
+    const chained = waits && (around.arc !== null || spot !== undefined);
+    if (slot !== null || !chained) return slot ?? { kind: "void" };
+  }
   if (around.arc !== null) return arcPlace(around.arc.source, around.arc.out);
   if (spot !== undefined) {
     const action = emptySlot(spot.block, shape);

@@ -6,6 +6,7 @@ import { insertPart } from "../model/commands/insertPart";
 import { copyParts, moveParts } from "../model/commands/moveParts";
 import { shiftParts } from "../model/commands/shiftParts";
 import { stretchOf, unwrapPart, wrapParts, wraps } from "../model/commands/wrapParts";
+import { waitingFor } from "../model/parts";
 import { placeFor } from "../model/placeFor";
 import { useStudio } from "../model/studio";
 import { findSpot, inChain, type Place } from "../model/tree";
@@ -27,7 +28,8 @@ export function addPart(element: string): boolean {
   return edit(({ program, parts, structure, layout }) => {
     const arc = layout.arcs.find((one) => one.id === useView.getState().arc) ?? null;
     const around = { vertex: selection.at(-1) ?? null, arc };
-    const place = placeFor(structure, around, parts.shape(element));
+    const shape = parts.shape(element);
+    const place = placeFor(structure, around, shape, waitingFor(parts, shape) !== undefined);
     return place === null ? null : insertPart(program, parts, place, element);
   });
 }

@@ -6,7 +6,7 @@
  */
 import { stretchOf, wraps } from "../model/commands/wrapParts";
 import { distanceToLine, type LayoutFrame, type LayoutNode, type Point } from "../model/layout";
-import { fits, isMark, type Shape, standsInChain } from "../model/parts";
+import { fits, isMark, type Parts, type Shape, standsInChain, waitingFor } from "../model/parts";
 import { findSpot, type Place, verticesOf, withMark } from "../model/tree";
 import type { Drawing } from "./drawing";
 
@@ -53,8 +53,13 @@ export function targetInLayout(
     );
     if (action !== undefined) return target({ kind: "vertex", vertex: action.vertex });
   }
-  if (!standsInChain(shape)) return target({ kind: "void" });
+  if (!standsInChain(shape) && !waits(drawing.parts, shape, moving.size > 0)) return target({ kind: "void" });
   return arcTarget(drawing, point, reach, moving) ?? firstTarget(drawing) ?? target({ kind: "void" });
+}
+
+/** Whether a drop into a chain makes the program wait for it there: a test that is new, and not taken from elsewhere. */
+function waits(parts: Parts, shape: Shape, moves: boolean): boolean {
+  return !moves && waitingFor(parts, shape) !== undefined;
 }
 
 /** In a program without parts the arc from Start to Stop, however far it is: what is dropped first runs. */
@@ -122,10 +127,13 @@ function contains(box: { x: number; y: number; w: number; h: number }, { x, y }:
   return x >= box.x - margin && x <= box.x + box.w + margin && y >= box.y - margin && y <= box.y + box.h + margin;
 }
 
-/** What takes a thing of that shape: the words of `data-accepts`, which lights these places up while it is dragged. */
-export function acceptedPlaces(shape: Shape): string {
+/**
+ * What takes a thing of that shape: the words of `data-accepts`, which lights these places up while it is dragged.
+ * `moves`: it is taken from elsewhere in the program.
+ */
+export function acceptedPlaces(parts: Parts, shape: Shape, moves: boolean): string {
   if (shape.role === "branch") return "branches";
-  const places = standsInChain(shape) ? ["arcs"] : [];
+  const places = standsInChain(shape) || waits(parts, shape, moves) ? ["arcs"] : [];
   for (const accepts of ["condition", "value", "action"] as const) {
     if (fits(shape, { name: "", label: {}, accepts })) places.push(`${accepts}s`);
   }

@@ -59,6 +59,12 @@ export function openWorld(chosen: Thing[] = []): void {
   showWorld();
 }
 
+/** Shows the world with that tool in hand. */
+export function openWorldWith(tool: Kind): void {
+  openWorld();
+  takeTool(tool);
+}
+
 /** What is chosen and still there. */
 export function chosenIn(world: OwnWorld | null, chosen: readonly Thing[]): Thing[] {
   return world === null ? [] : chosen.filter((thing) => partOf(world, thing) !== undefined);

@@ -12,8 +12,10 @@ import ArrowUp from "lucide-react/icons/arrow-up";
 import Ban from "lucide-react/icons/ban";
 import Bell from "lucide-react/icons/bell";
 import Blend from "lucide-react/icons/blend";
+import Bot from "lucide-react/icons/bot";
 import Box from "lucide-react/icons/box";
 import Boxes from "lucide-react/icons/boxes";
+import BrickWall from "lucide-react/icons/brick-wall";
 import Check from "lucide-react/icons/check";
 import ChevronDown from "lucide-react/icons/chevron-down";
 import ChevronLeft from "lucide-react/icons/chevron-left";
@@ -110,8 +112,10 @@ export const ICONS: Readonly<Record<string, LucideIcon>> = {
   ban: Ban,
   bell: Bell,
   blend: Blend,
+  bot: Bot,
   box: Box,
   boxes: Boxes,
+  "brick-wall": BrickWall,
   check: Check,
   "chevron-down": ChevronDown,
   "chevron-left": ChevronLeft,

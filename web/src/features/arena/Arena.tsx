@@ -22,6 +22,8 @@ import { complain } from "../../session/document";
 import { later } from "../../ui/later";
 import { useArenaPointer } from "./use-arena-pointer";
 import { useScene, useSelected, useSummary } from "./use-scene";
+import { KIND_ICONS } from "../../model/world/names";
+import { openWorldWith } from "../../session/world-view";
 import { Tool } from "../../ui/Tool";
 
 const RobotMenu = later(() => import("./RobotMenu").then((chunk) => chunk.RobotMenu), complain);
@@ -62,6 +64,7 @@ function Heading({ scene, painter, stage }: HeadingProps) {
       </span>
       {world === undefined || !seed ? null : <Seed />}
       {large && stage !== null ? <stage.Switches /> : null}
+      {large || scene === null || scene.running || isDesk(scene) ? null : <Additions />}
       <span className="side-tools">
         {large ? null : (
           <Tool
@@ -101,6 +104,31 @@ function Heading({ scene, painter, stage }: HeadingProps) {
         />
       </span>
     </header>
+  );
+}
+
+/** Whether boards lie there that go nowhere: nothing in a world is of use to them. */
+function isDesk({ actors }: Scene): boolean {
+  return actors.length > 0 && actors.every(({ figure }) => figure === "micro-bit");
+}
+
+/** What is most often put into a world; each leads into the world with its tool in hand. */
+const ADDED = ["wall", "ball", "start"] as const;
+
+function Additions() {
+  return (
+    <span className="side-tools side-additions">
+      {ADDED.map((kind) => (
+        <Tool
+          key={kind}
+          small
+          icon={KIND_ICONS[kind]}
+          label={t(`arena.add-${kind}`)}
+          testId={`arena-add-${kind}`}
+          onClick={() => openWorldWith(kind)}
+        />
+      ))}
+    </span>
   );
 }
 

@@ -83,8 +83,11 @@ function Graph({ drawing }: { drawing: Drawing }) {
   useCanvasKeys(root);
   useClipboard();
   useContextMenu(root);
-  const dragged = useDrag(({ payload }) => payload?.element);
-  const accepts = dragged === undefined ? "" : acceptedPlaces(drawing.parts.shape(dragged));
+  const dragged = useDrag(({ payload }) => payload);
+  const accepts =
+    dragged === null
+      ? ""
+      : acceptedPlaces(drawing.parts, drawing.parts.shape(dragged.element), dragged.kind === "vertices");
   const plain = usePlain();
   const part = usePart(plain);
   const { layout } = drawing;
@@ -120,7 +123,7 @@ function Graph({ drawing }: { drawing: Drawing }) {
         <Lines layout={layout} part={part} plain={plain} />
         {empty ? <EmptyTeaching drawing={drawing} /> : null}
       </Pane>
-      <ZoomControl />
+      {empty ? null : <ZoomControl />}
       {adding === null ? null : <AddPopup key={drawing.program.name} adding={adding} drawing={drawing} />}
       {noting === null ? null : <NoteEditor key={noting} id={noting} program={drawing.program.name} />}
       {editing === null ? null : <InPlace key={`${editing.vertex} ${editing.slot}`} drawing={drawing} {...editing} />}

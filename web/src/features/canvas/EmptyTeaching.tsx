@@ -1,6 +1,7 @@
 /** Under a new program: what to do first, four parts to begin with, and what other features add (tutorials, examples). */
 import { PanelSlot } from "../../components/Slot";
-import { type Parts, type Shape, shortTitle } from "../../model/parts";
+import { firstParts } from "../../model/part-groups";
+import { shortTitle } from "../../model/parts";
 import { firstSentence, text } from "../../model/texts";
 import { Tile } from "../../theme";
 import { handKey } from "../../i18n/touch";
@@ -9,20 +10,7 @@ import { useDocument } from "../../session/document";
 import { beginDrag, justDragged } from "../../session/drag";
 import type { Drawing } from "../../session/drawing";
 import { addPartAt } from "../../session/edits";
-
-/** An action that shows at once, then one constructor of each colour that holds a body. */
-export function firstParts({ all }: Parts): Shape[] {
-  const actions = all.filter((shape) => shape.object?.category === "actuator" && shape.role === "instruction");
-  const lasting = actions.filter((shape) => shape.fields.length === 1 && shape.method?.completes_later === false);
-  const action = lasting.find((shape) => shape.object?.look === "wheels") ?? lasting[0] ?? actions[0];
-  const bodies = all.filter((shape) => shape.kind === "constructor" && shape.flows.length > 0);
-  const colours = (["choice", "loop", "parallel"] as const).map((colour) => {
-    const same = bodies.filter((shape) => shape.colour === colour);
-    // The one that asks for the least comes first.
-    return same.toSorted((a, b) => a.plugs.length - b.plugs.length)[0];
-  });
-  return [action, ...colours].filter((shape) => shape !== undefined);
-}
+import { openRoom } from "../../session/narrow";
 
 const MOST_LETTERS = 44;
 
@@ -50,7 +38,10 @@ export function EmptyTeaching({ drawing }: { drawing: Drawing }) {
                 beginDrag(event, { kind: "part", element: shape.element });
               }}
               onClick={() => {
-                if (!justDragged()) addPartAt({ kind: "arc", source: start, out: "next" }, shape.element);
+                if (justDragged()) return;
+                addPartAt({ kind: "arc", source: start, out: "next" }, shape.element);
+                // What comes next is among the parts.
+                openRoom("palette");
               }}
             >
               <Tile icon={shape.icon} colour={shape.colour} size={36} />

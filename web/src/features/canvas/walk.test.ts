@@ -4,7 +4,7 @@ import { emptyProgram } from "../../model/commands/changePrograms";
 import { insertPart } from "../../model/commands/insertPart";
 import { layoutStructure } from "../../model/layout";
 import { readStructure } from "../../model/structure";
-import { CARRIER, CARRIER_PARTS as PARTS, missionOf } from "../../model/testing/missions";
+import { CARRIER, CARRIER_PARTS as PARTS, WAITING_PARTS, missionOf } from "../../model/testing/missions";
 import type { Program } from "../../model/types";
 import type { Drawing } from "../../session/drawing";
 import { insideOf, targetInLayout } from "../../session/targets";
@@ -76,8 +76,8 @@ describe("the place for something dragged", () => {
     if (node === undefined) throw new Error(id);
     return { x: node.x + node.w / 2 + dx, y: node.y + node.h / 2 + dy };
   };
-  const aim = (element: string, point: { x: number; y: number }, moving: string[] = []) =>
-    targetInLayout(drawing, point, 60, PARTS.shape(element), insideOf(drawing, moving))?.key;
+  const aim = (element: string, point: { x: number; y: number }, moving: string[] = [], parts = PARTS) =>
+    targetInLayout({ ...drawing, parts }, point, 60, parts.shape(element), insideOf(drawing, moving))?.key;
 
   it("is the nearest arc, before or after a vertex", () => {
     expect(aim("Wheel.Stop", at("v13", 0, -20))).toBe("arc:v11.body");
@@ -85,9 +85,17 @@ describe("the place for something dragged", () => {
     expect(aim("Wheel.Stop", at("v6", 10, 120))).toBe("arc:v4.next");
   });
 
-  it("is the void far from every arc, and for a test that meets no slot", () => {
+  it("is the void far from every arc, and for a value that meets no slot", () => {
     expect(aim("Wheel.Stop", { x: 2000, y: 0 })).toBe("void");
-    expect(aim("Run.IsTrue", at("v13"))).toBe("void");
+    expect(aim("Run.IsTrue", { x: 2000, y: 0 }, [], WAITING_PARTS)).toBe("void");
+    expect(aim("Count.Value", at("v13"))).toBe("void");
+  });
+
+  it("is an arc for a new test, which is waited for there, and none for one that moves", () => {
+    expect(aim("Run.IsTrue", at("v13", 0, 25), [], WAITING_PARTS)).toBe("arc:v13.next");
+    expect(aim("Run.IsTrue", at("v13", 0, 25), ["v5"], WAITING_PARTS)).toBe("void");
+    // Where nothing only waits, a test has no place among the arcs.
+    expect(aim("Run.IsTrue", at("v13", 0, 25))).toBe("void");
   });
 
   it("is the arc from Start to Stop for the first part, wherever it is dropped", () => {

@@ -6,6 +6,7 @@
  */
 import { t } from "../../i18n/words";
 import { inWords, storedNumber } from "../../model/meaning";
+import { groupOf, LAST_PLACE, placeInGroup } from "../../model/part-groups";
 import { type Parts, type Shape, shortTitle, title } from "../../model/parts";
 import { rank } from "../../model/part-search";
 import { TEAM_ROBOT } from "../../model/team-robot";
@@ -26,33 +27,17 @@ export interface Tab {
   rows: Row[];
 }
 
-const HELD = { actuator: "actuators", sensor: "sensors", variable: "values", system: "values" } as const;
-
-const LAST_PLACE = 1000;
-
-/** The tab of a part: the one it names, the one of its object, or the one for parts of its kind. */
-function groupOf({ groups }: Parts, { constructor_, method, object }: Shape): Group | undefined {
-  const named = [constructor_?.group, method?.group, object?.group];
-  const held = object === null ? "" : HELD[object.category];
-  return (
-    named.flatMap((name) => groups.find((group) => group.name === name) ?? [])[0] ??
-    groups.find((group) => held !== "" && group.holds === held)
-  );
-}
-
 /** What was typed may be found in a name, or only in a word. */
 interface RankedShape {
   shape: Shape;
   rank: number;
 }
 
-const placeOf = ({ constructor_, method }: Shape): number => constructor_?.order ?? method?.order ?? LAST_PLACE;
-
 /** Whether its name alone says what it does, or its place is its own: it needs no heading. */
 function standsAlone(shape: Shape): boolean {
   const { object, method } = shape;
   if (object === null) return true;
-  return object.category === "actuator" && (method?.alone === true || placeOf(shape) < LAST_PLACE);
+  return object.category === "actuator" && (method?.alone === true || placeInGroup(shape) < LAST_PLACE);
 }
 
 /** The parts without those that a kit has nothing for. */
@@ -100,7 +85,7 @@ function foundRows(found: RankedShape[]): Row[] {
 
 function allRows(found: RankedShape[]): Row[] {
   const shapes = found.map(({ shape }) => shape);
-  const alone = shapes.filter(standsAlone).sort((a, b) => placeOf(a) - placeOf(b));
+  const alone = shapes.filter(standsAlone).sort((a, b) => placeInGroup(a) - placeInGroup(b));
   const others = shapes.filter((shape) => !standsAlone(shape));
   const objects = [...new Set(others.flatMap(({ object }) => object ?? []))];
   return [

@@ -7,7 +7,7 @@ import { useStudio } from "../../model/studio";
 import { KIND_ICONS, kindName } from "../../model/world/names";
 import { type Kind, KINDS } from "../../model/world/thing";
 import { put } from "../../session/world-edits";
-import { takeTool, useWorld } from "../../session/world-view";
+import { ownWorld, takeTool, useWorld } from "../../session/world-view";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
 
@@ -30,7 +30,9 @@ export function Tools() {
         onClick={() => take(null)}
       />
       {KINDS.map((kind) => {
-        const label = t("world.add", { kind: kindName(kind) });
+        // Where a start is put, a robot joins the team.
+        const name = kind === "start" ? t("parts.robot") : kindName(kind);
+        const label = t("world.add", { kind: name });
         return (
           <button
             key={kind}
@@ -41,12 +43,12 @@ export function Tools() {
             aria-label={label}
             title={label}
             onClick={(event) => {
-              if (event.detail === 0) put(kind, middle(), null);
+              if (event.detail === 0 && ownWorld() !== null) put(kind, middle(), null);
               else take(tool === kind ? null : kind);
             }}
           >
             <Icon name={KIND_ICONS[kind]} size={18} />
-            <span>{kindName(kind)}</span>
+            <span>{name}</span>
           </button>
         );
       })}

@@ -12,7 +12,7 @@ import { openRoom } from "../../session/narrow";
 import { isLive, useRun } from "../../session/run";
 import { closeTeam } from "../../session/team-view";
 import { editWorld } from "../../session/world-edits";
-import { chosenIn, choose, useWorld } from "../../session/world-view";
+import { chosenIn, choose, ownWorld, takeTool, useWorld } from "../../session/world-view";
 import { Fields } from "./Fields";
 import { Keep } from "./Keep";
 import { Stage } from "./Stage";
@@ -53,7 +53,15 @@ export default function World() {
   const openTemplates = () => setTemplates(true);
   const own = useStudio((studio) => studio.mission.own_world ?? null);
   const said = useWorld((state) => state.said);
+  const held = useWorld((state) => state.tool !== null);
   useEffect(() => openRoom(null), []);
+  useEffect(() => {
+    // Whoever takes a tool wants to change the world: that of a file is copied for it.
+    if (!held || own !== null) return;
+    void editWorld().then(() => {
+      if (ownWorld() === null) takeTool(null);
+    });
+  }, [held, own]);
   // Who starts a run wants to see it.
   useEffect(
     () =>
@@ -70,7 +78,7 @@ export default function World() {
   return (
     <div className="world" id="world-panel" role="tabpanel" aria-label={t("world.tab")} data-testid="world">
       <div className="world-place column">
-        {own === null ? null : <Tools />}
+        <Tools />
         <Stage />
       </div>
       <div className="world-side column">

@@ -5,7 +5,7 @@ import { noteText } from "../notes";
 import { readStructure, writeStructure } from "../structure";
 import { useStudio } from "../studio";
 import { randomEdit } from "../testing/edits";
-import { CARRIER, CARRIER_PARTS as PARTS, fileOf, growProgram, missionOf, randomFrom } from "../testing/missions";
+import { CARRIER, CARRIER_PARTS as PARTS, fileOf, growProgram, missionOf, randomFrom, WAITING_PARTS } from "../testing/missions";
 import type { Place } from "../tree";
 import type { Program } from "../types";
 import { addBranch, removeBranch } from "./changeBranches";
@@ -43,6 +43,13 @@ describe("insertPart", () => {
   it("types the defaults in", () => {
     const program = after(empty, insertPart(empty, PARTS, onArc("start"), "Wheel.Advance"));
     expect(program.vertices[1]?.settings).toEqual({ speed: "50" });
+  });
+
+  it("waits for a test that comes into a chain, where something only waits", () => {
+    const program = after(empty, insertPart(empty, WAITING_PARTS, onArc("start"), "Run.IsTrue"));
+    expect(lines(program)).toEqual(["start.next → v2.in", "v1.next → v2.condition", "v2.next → stop.in"]);
+    expect(program.vertices.find(({ id }) => id === "v2")?.element).toBe("Wait Until");
+    expect(insertPart(empty, PARTS, onArc("start"), "Run.IsTrue")).toBeNull();
   });
 
   it("docks a test on a condition slot, and puts a test that was there away", () => {

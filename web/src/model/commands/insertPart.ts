@@ -1,7 +1,7 @@
 /** Puts a new part where it was dropped: on an arc, in a slot, on a vertex, or on the void, where it is parked. */
 import { t } from "../../i18n/words";
 import type { Command } from "../command";
-import { fits, isMark, type Parts, type Shape, standsInChain, title } from "../parts";
+import { fits, isMark, type Parts, type Shape, standsInChain, title, waitingFor } from "../parts";
 import type { Structure } from "../structure";
 import {
   branchOwner,
@@ -24,20 +24,27 @@ import { editStructure } from "./edit";
 export function insertPart(program: Program, parts: Parts, place: Place, element: string): Command | null {
   const shape = parts.shape(element);
   return editStructure(t("command.add", { name: title(shape) }), program, parts, (structure) =>
-    insert(structure, place, shape),
+    insert(structure, parts, place, shape),
   );
 }
 
-function insert(structure: Structure, place: Place, shape: Shape): string[] | false {
+function insert(structure: Structure, parts: Parts, place: Place, shape: Shape): string[] | false {
   if (shape.role === "branch") return insertBranch(structure, place, shape);
-  const block = newBlock(shape, freshIds(structure)());
+  const fresh = freshIds(structure);
+  const block = newBlock(shape, fresh());
   const created = [block.vertex.id];
   switch (place.kind) {
     case "void":
       park(structure, [block]);
       return created;
-    case "arc":
-      return standsInChain(shape) && spliceIn(structure, place, [block]) && created;
+    case "arc": {
+      if (standsInChain(shape)) return spliceIn(structure, place, [block]) && created;
+      const holder = waitingFor(parts, shape);
+      const [plug] = holder?.plugs ?? [];
+      if (holder === undefined || plug === undefined) return false;
+      const wait = newBlock(holder, fresh());
+      return plugIn(wait, plug.name, block) && spliceIn(structure, place, [wait]) && created;
+    }
     case "slot": {
       const owner = findSpot(structure, place.vertex)?.block;
       const plug = owner?.shape.plugs.find((one) => one.name === place.slot);

@@ -9,6 +9,30 @@ import { PARTS } from "./parts";
 
 export const CARRIER_PARTS: Parts = partsOf(PARTS, "carrier");
 
+/** The same with `Wait Until`, a constructor that holds nothing but a condition. */
+export const WAITING_PARTS: Parts = partsOf(
+  {
+    ...PARTS,
+    groups: PARTS.groups.map((group) => ({
+      ...group,
+      constructors: group.constructors.flatMap((one) =>
+        one.name === "When"
+          ? [
+              one,
+              {
+                ...one,
+                name: "Wait Until",
+                slots: one.slots.filter(({ kind }) => kind === "condition"),
+                code: "<{condition}>()",
+              },
+            ]
+          : [one],
+      ),
+    })),
+  },
+  "carrier",
+);
+
 function vertex(id: string, element: string, settings: Record<string, string> = {}): Vertex {
   return { id, element, settings, notes: [] };
 }

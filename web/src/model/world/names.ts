@@ -4,13 +4,13 @@ import type { OwnWorld } from "../types";
 import { type Kind, partOf, type Thing } from "./thing";
 
 export const KIND_ICONS: Record<Kind, string> = {
-  wall: "minus",
+  wall: "brick-wall",
   floor: "palette",
   line: "pencil",
   road: "signpost",
   storehouse: "warehouse",
   dock: "map-pin",
-  start: "flag",
+  start: "bot",
   box: "package",
   ball: "circle",
   zone: "thermometer",
