@@ -78,6 +78,8 @@ class Watcher:
             said = self.next()
             if said["type"] == kind and all(said[name] == value for name, value in fields.items()):
                 return said
+            # Nothing follows them: a test that waits for a start would wait for ever.
+            assert kind != "started" or said["type"] not in ("problems", "error"), said
 
     def start(self, mission, path="", seed=1, speed=0.0) -> dict[str, Any]:
         self.send(type="start", mission=mission, path=path, seed=seed, speed=speed)

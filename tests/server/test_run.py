@@ -377,3 +377,24 @@ def test_a_page_that_goes_while_it_is_told_something_is_no_mistake(app, path):
 
     thread = ThreadPoolExecutor(1)
     thread.submit(asyncio.run, every()).result()
+
+
+def test_what_a_part_showed_between_two_messages_is_told_in_the_end(connect, page):
+    source = """<kitrobot version="1"><program name="p" robot="microbit">
+      <vertex id="start" element="Start"/>
+      <vertex id="v1" element="Wait"><set name="duration">200</set></vertex>
+      <vertex id="v2" element="Music.Tone"><set name="frequency">440</set><set name="duration">400</set></vertex>
+      <vertex id="v3" element="Wait"><set name="duration">200</set></vertex>
+      <vertex id="stop" element="Stop"/>
+      <arc from="start" to="v1"/><arc from="v1" to="v2"/><arc from="v2" to="v3"/><arc from="v3" to="stop"/>
+    </program><team><agent name="robot-1" program="p"/></team></kitrobot>"""
+    tune = page.post("/api/mission/read", content=source.encode()).json()["mission"]
+    with connect() as watcher:
+        watcher.start(tune)
+        reports = []
+        while (said := watcher.next())["type"] != "state" or said["status"] != "done":
+            if said["type"] == "tick":
+                reports += said["agents"].values()
+        assert reports[0]["used"] == []
+        assert reports[-1]["used"] == ["Music"]
+        assert not any(reports[-1]["shown"]["Music"])

@@ -53,7 +53,9 @@ def _bounded(number: int) -> int:
 
 @dataclass(frozen=True)
 class AgentColumns:
-    """The columns of an agent's numbers in a record. `values`, `inputs` and `shown` are names with their columns."""
+    """The columns of an agent's numbers in a record. `values`, `inputs` and `shown` are names with their columns;
+    `parts` are those that show something of themselves: a pen's line is sent as a drawing.
+    """
 
     name: str
     pose: tuple[tuple[int | None, float], ...]
@@ -62,6 +64,7 @@ class AgentColumns:
     fault: int
     inputs: tuple[tuple[str, int], ...]
     values: tuple[tuple[str, int], ...]
+    parts: tuple[tuple[str, tuple[int, ...]], ...]
     shown: tuple[tuple[str, tuple[int, ...]], ...]
     vertices: tuple[str | None, ...]
     inner: Inner
@@ -110,6 +113,7 @@ class RunEncoder:
         self._looked_at = self._first_agents()
         self._team = TeamSnapshotEncoder(header)
         self._before: list[tuple[object, ...] | None] = [None] * len(self._agents)
+        self._used: list[set[str]] = [set() for _ in self._agents]
 
     def _agent_columns(self, agent: TraceAgent, mine: Sequence[tuple[str, int]]) -> AgentColumns:
         at = dict(mine)
@@ -117,13 +121,16 @@ class RunEncoder:
         placed = any(word in at for word in _POSE)
         pose = tuple((at[word], scales[at[word]].scale) for word in _POSE) if placed else _NO_PLACE
         inputs, values = _named("input ", mine), _named("variable ", mine)
-        shown = _shown_columns(mine)
+        parts = _columns_by_part(_named("shown ", mine))
+        shown = (*parts, *_columns_by_part(_named(PEN, mine)))
         watched = (at["doing"], at["forced"], at["fault"], *(place for _, place in (*inputs, *values)))
         watched += tuple(place for _, places in shown for place in places)
         vertices = self._header.vertices_of(agent)
         inner = self._header.inner.get(self._header.image_name(agent), ())
         doing, forced, fault = at["doing"], at["forced"], at["fault"]
-        return AgentColumns(agent.name, pose, doing, forced, fault, inputs, values, shown, vertices, inner, watched)
+        return AgentColumns(
+            agent.name, pose, doing, forced, fault, inputs, values, parts, shown, vertices, inner, watched
+        )
 
     def _first_agents(self) -> frozenset[int]:
         """The first agent of each program."""
@@ -193,6 +200,23 @@ class RunEncoder:
         head = record.tick, len(self._agents), len(self._things) // 2
         return struct.pack(f"<{len(head) + len(numbers)}f", *head, *numbers)
 
+    @property
+    def with_unused_parts(self) -> Collection[int]:
+        """The indices of the reported agents with parts that have shown nothing yet."""
+        return [index for index in self.reported if len(self._used[index]) < len(self._agents[index].parts)]
+
+    def note_used_parts(self, record: TickRecord) -> None:
+        """Notes which parts show something; it is sent with the next message, also where they show nothing by then.
+
+        `record` holds all numbers of `with_unused_parts`.
+        """
+        row = record.numbers
+        for index in self.with_unused_parts:
+            used = self._used[index]
+            for name, places in self._agents[index].parts:
+                if name not in used and any(row[at] for at in places):
+                    used.add(name)
+
     def thread_positions(self, active: Sequence[Threads], agent: str) -> list[tuple[str, tuple[str | None, ...]]]:
         """The vertices at which the threads of the agent are, or of every agent ("")."""
         return [
@@ -214,13 +238,14 @@ class RunEncoder:
         `happened` is since the last time, or, with `again`, everything up to `latest`; `drawn` is since the last time.
         """
         row = record.numbers
+        self.note_used_parts(record)
         changed = {}
         for index in sorted(self.reported):
             agent = self._agents[index]
-            key = (record.active[index], *[row[at] for at in agent.watched])
+            key = (record.active[index], len(self._used[index]), *[row[at] for at in agent.watched])
             if key != self._before[index]:
                 self._before[index] = key
-                changed[agent.name] = self._report(agent, record.active[index], row)
+                changed[agent.name] = self._report(index, record)
         message = self._tick(record, latest, again, happened, changed)
         return {**message, "team": self._team.encode_if_changed(row), "drawing": _drawing_changes(drawn)}
 
@@ -230,10 +255,7 @@ class RunEncoder:
         """Everything, for a page that has been sent nothing yet, in the shape of a `TickMessage`; `happened` is all
         up to `latest`, `marks` all that is drawn. This does not count as sent to the others.
         """
-        agents = {
-            self._agents[index].name: self._report(self._agents[index], record.active[index], record.numbers)
-            for index in sorted(self.reported)
-        }
+        agents = {self._agents[index].name: self._report(index, record) for index in sorted(self.reported)}
         message = self._tick(record, latest, True, happened, agents)
         return {**message, "team": self._team.encode(record.numbers), "drawing": _drawing_changes(News(0, marks))}
 
@@ -254,7 +276,8 @@ class RunEncoder:
             "events": [self._event(event) for event in happened],
         }
 
-    def _report(self, agent: AgentColumns, threads: Threads, row: list[int]) -> dict[str, Any]:
+    def _report(self, index: int, record: TickRecord) -> dict[str, Any]:
+        agent, threads, row = self._agents[index], record.active[index], record.numbers
         doing, forced = row[agent.doing], row[agent.forced]
         return {
             "active": [[slot, vertex] for slot, vertex in agent.thread_vertices(threads)],
@@ -264,6 +287,7 @@ class RunEncoder:
             "inputs": {name: _bounded(row[at]) for name, at in agent.inputs},
             "fault": _bounded(row[agent.fault]),
             "shown": {name: [_bounded(row[at]) for at in places] for name, places in agent.shown},
+            "used": [name for name, _ in agent.parts if name in self._used[index]],
             "forced": [name for bit, (name, _) in enumerate(agent.inputs) if forced >> bit & 1],
         }
 
@@ -284,10 +308,10 @@ def _drawing_changes(news: News | None) -> dict[str, Any] | None:
     return {"keep": news.keep, "marks": [mark[1:] for mark in news.marks]}
 
 
-def _shown_columns(columns: Sequence[tuple[str, int]]) -> tuple[tuple[str, tuple[int, ...]], ...]:
+def _columns_by_part(columns: Iterable[tuple[str, int]]) -> tuple[tuple[str, tuple[int, ...]], ...]:
     """What actuators show: each one's numbers, in their order."""
     found: dict[str, list[int]] = {}
-    for name, at in (*_named("shown ", columns), *_named(PEN, columns)):
+    for name, at in columns:
         found.setdefault(name.rpartition(" ")[0], []).append(at)
     return tuple((name, tuple(places)) for name, places in found.items())
 

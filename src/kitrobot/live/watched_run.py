@@ -134,11 +134,13 @@ class WatchedRun(ABC):
         return made
 
     def _keep_path_frame(self) -> None:
-        """Stores where the robots are between two updates, for a few robots: of many nobody could see it."""
+        """Stores the robots' poses and used parts between two updates, for a few robots: of many nobody sees them."""
         self._path_tick = self.tick
         if len(self._source.header.agents) > MOST_REPORTED:
             return
-        self._path_frames.append(self._encoder.encode_frame(self._source.record(())))
+        record = self._source.record(self._encoder.with_unused_parts)
+        self._encoder.note_used_parts(record)
+        self._path_frames.append(self._encoder.encode_frame(record))
         if len(self._path_frames) * len(self._path_frames[0]) > _MAX_PATH_BYTES:
             del self._path_frames[::2]
             self._path_interval *= 2

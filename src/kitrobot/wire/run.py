@@ -74,7 +74,8 @@ class StateMessage(_Message):
 class AgentReportShape(BaseModel):
     """What an agent does: where its threads stand, its variables and sensors, what its displays and the like show.
 
-    `active` are vertices of its program by slot, `inner` slot, program and vertex in others that stand in it.
+    `active` are vertices of its program by slot, `inner` slot, program and vertex in others that stand in it. `used`:
+    the parts that have shown something in this run, also between two messages.
     """
 
     active: list[tuple[int, str]]
@@ -83,6 +84,7 @@ class AgentReportShape(BaseModel):
     values: dict[str, int]
     inputs: dict[str, int]
     shown: dict[str, list[int]]
+    used: list[str] = Field(default_factory=list)
     fault: int
     forced: list[str]
 

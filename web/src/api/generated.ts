@@ -66,7 +66,8 @@ export interface Agent {
 
 /**
  * What an agent does: where its threads stand, its variables and sensors, what its displays and the like show. `active`
- * are vertices of its program by slot, `inner` slot, program and vertex in others that stand in it.
+ * are vertices of its program by slot, `inner` slot, program and vertex in others that stand in it. `used`: the parts
+ * that have shown something in this run, also between two messages.
  */
 export interface AgentReport {
   active: [number, string][];
@@ -75,6 +76,7 @@ export interface AgentReport {
   values: Record<string, number>;
   inputs: Record<string, number>;
   shown: Record<string, number[]>;
+  used?: string[];
   fault: number;
   forced: string[];
 }

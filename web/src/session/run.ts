@@ -114,6 +114,7 @@ export function applyMessage(state: RunState, message: RunMessage): Partial<RunS
           values: {},
           inputs: {},
           shown: {},
+          used: [],
           fault: 0,
           forced: [],
         })),

@@ -38,12 +38,12 @@ export class RunDiary {
   private flags = 0;
   private robots: RobotRecord[] = [];
   /** Of each robot the parts that showed anything. */
-  private shown = new Map<string, Set<string>>();
+  private used = new Map<string, Set<string>>();
 
   clear(): void {
     this.flags = 0;
     this.robots = [];
-    this.shown.clear();
+    this.used.clear();
   }
 
   record({ poses }: PoseFrame): void {
@@ -58,14 +58,10 @@ export class RunDiary {
     });
   }
 
-  /** What robots show and sound. */
+  /** What robots showed and sounded. */
   look({ agents }: Pick<RunState, "agents">): void {
-    for (const { name, shown } of agents) {
-      for (const [part, numbers] of Object.entries(shown)) {
-        if (numbers.every((one) => one === 0)) continue;
-        const parts = this.shown.get(name) ?? new Set();
-        this.shown.set(name, parts.add(part));
-      }
+    for (const { name, used = [] } of agents) {
+      if (used.length > 0) this.used.set(name, new Set([...(this.used.get(name) ?? []), ...used]));
     }
   }
 
@@ -89,7 +85,7 @@ export class RunDiary {
       driven: agents.map(({ name }, at) => ({ name, mm: driven[at] ?? 0 })),
       tickMs: run.tickMs,
       deeds: this.deeds(run, trails),
-      acted: this.shown.size > 0 || hasLights(run) || (this.flags & ACTS) !== 0 || happened.length > 0,
+      acted: this.used.size > 0 || (this.flags & ACTS) !== 0 || happened.length > 0,
     };
   }
 
@@ -153,19 +149,11 @@ export class RunDiary {
     return agents.slice(0, FEW).flatMap(({ name, robot }) => {
       const objects = robots.find((one) => one.name === robot)?.objects ?? [];
       const parts = objects
-        .filter((one) => one.category === "actuator" && one.look !== "pen" && this.shown.get(name)?.has(one.name))
+        .filter((one) => one.category === "actuator" && one.look !== "pen" && this.used.get(name)?.has(one.name))
         .map((one) => text(one.label, one.name));
       return parts.length > 0 ? [{ kind: "used", name, parts: parts.slice(0, FEW) }] : [];
     });
   }
-}
-
-/** A board may have shown what nobody saw: of a fast run only its end comes. */
-function hasLights({ agents }: RunState): boolean {
-  const { robots } = useStudio.getState().catalogue;
-  return agents.some(({ robot }) =>
-    robots.find(({ name }) => name === robot)?.objects.some(({ look }) => look === "lights"),
-  );
 }
 
 function pushDeeds({ world }: RunState): Deed[] {
