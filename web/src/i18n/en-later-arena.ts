@@ -61,6 +61,7 @@ export const ARENA_EN = {
   "account.used": "{name} used: {parts}.",
   "account.counted": "{name} is {value} now.",
   "account.still": "Nothing moved.",
+  "account.done": "Done after {time}.",
   "account.goals": { one: "{reached} of {count} goal.", other: "{reached} of {count} goals." },
   "arena.cause": "Before that, at {time}:",
   "arena.go-to-cause": "Go to the cause",

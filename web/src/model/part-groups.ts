@@ -30,7 +30,9 @@ export function firstParts(parts: Parts): Shape[] {
   const byGroup = parts.groups.flatMap(
     (group) => actions.find((shape) => groupOf(parts, shape)?.name === group.name) ?? [],
   );
-  const loops = inOrder.filter((shape) => shape.kind === "constructor" && shape.colour === "loop" && hasOnlyABody(shape));
+  const loops = inOrder.filter(
+    (shape) => shape.kind === "constructor" && shape.colour === "loop" && hasOnlyABody(shape),
+  );
   return [...byGroup.slice(0, OWN_GROUPS), ...loops.slice(0, LOOPS)];
 }
 

@@ -229,7 +229,9 @@ export function waitingFor(parts: Parts, test: Shape): Shape | undefined {
   if (test.role !== "condition") return undefined;
   return parts.all.find(
     ({ role, flows, fields, plugs }) =>
-      role === "instruction" && flows.length + fields.length === 0 && plugs.map((plug) => plug.accepts).join() === "condition",
+      role === "instruction" &&
+      flows.length + fields.length === 0 &&
+      plugs.map((plug) => plug.accepts).join() === "condition",
   );
 }
 

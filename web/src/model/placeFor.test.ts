@@ -54,7 +54,11 @@ describe("the place of a part that nobody pointed at", () => {
     const wait = (vertex: string | null, arc: { source: string; out: string } | null, element: string) =>
       placeFor(structure, { vertex, arc }, PARTS.shape(element), true);
     expect(wait("v13", null, "Cargo.IsPressed")).toEqual({ kind: "arc", source: "v13", out: "next" });
-    expect(wait(null, { source: "v11", out: "body" }, "Run.IsTrue")).toEqual({ kind: "arc", source: "v11", out: "body" });
+    expect(wait(null, { source: "v11", out: "body" }, "Run.IsTrue")).toEqual({
+      kind: "arc",
+      source: "v11",
+      out: "body",
+    });
     // A slot that fits it comes first; with nothing selected it lies beside the program.
     expect(wait("v4", null, "Cargo.IsPressed")).toEqual({ kind: "slot", vertex: "v4", slot: "condition" });
     expect(wait(null, null, "Cargo.IsPressed")).toEqual({ kind: "void" });

@@ -5,7 +5,15 @@ import { noteText } from "../notes";
 import { readStructure, writeStructure } from "../structure";
 import { useStudio } from "../studio";
 import { randomEdit } from "../testing/edits";
-import { CARRIER, CARRIER_PARTS as PARTS, fileOf, growProgram, missionOf, randomFrom, WAITING_PARTS } from "../testing/missions";
+import {
+  CARRIER,
+  CARRIER_PARTS as PARTS,
+  fileOf,
+  growProgram,
+  missionOf,
+  randomFrom,
+  WAITING_PARTS,
+} from "../testing/missions";
 import type { Place } from "../tree";
 import type { Program } from "../types";
 import { addBranch, removeBranch } from "./changeBranches";

@@ -4,6 +4,8 @@
  */
 import { ARM_OUT, LAMP, MOVING, type Pose, type PoseFrame } from "../../../api/wire";
 import { strokesOfRun } from "../../../components/scene/pen-strokes";
+import { decimal } from "../../../i18n/numbers";
+import { t } from "../../../i18n/words";
 import { text } from "../../../model/texts";
 import { useStudio } from "../../../model/studio";
 import { lastFrame, placesOfThings } from "../../../session/poses";
@@ -75,7 +77,7 @@ export class RunDiary {
     const happened = events.filter(({ kind, tick }) => kind !== "end" && tick <= run.tick);
     return {
       done: status === "done",
-      sentence: run.sentence,
+      sentence: endsPlainly(run, own) ? t("account.done", { time: `${decimal(run.seconds, 1, 1)} s` }) : run.sentence,
       atOnce: run.tick <= AT_ONCE,
       goals:
         open !== null && goals.length > 0
@@ -154,6 +156,11 @@ export class RunDiary {
       return parts.length > 0 ? [{ kind: "used", name, parts: parts.slice(0, FEW) }] : [];
     });
   }
+}
+
+/** Whether the end itself is no news: programs ended, without goals of the mission, and nobody failed. */
+function endsPlainly({ status, tick, events }: RunState, goals: number): boolean {
+  return status === "done" && tick > AT_ONCE && goals === 0 && events.every(({ kind }) => kind !== "failure");
 }
 
 function pushDeeds({ world }: RunState): Deed[] {
