@@ -39,13 +39,16 @@ _SURE_IN_GAPS = (Form.NEVER, Form.AT_MOST)
 """The forms that stay broken whatever happened in ticks that are missing."""
 
 
-def judge_recording(path: Path, questions: Sequence[str] = (), mission: OpenMission | None = None) -> list[Judgement]:
+def judge_recording(
+    path: Path, questions: Sequence[str] = (), mission: OpenMission | None = None, *, ready: bool = True
+) -> list[Judgement]:
     """Judges a recording by properties.
 
     Args:
         path: the recording.
         questions: properties as text, or names of those of the mission; none for all that the mission has.
         mission: the mission whose properties are meant; None for the one in the recording.
+        ready: whether those that every mission has are judged too, where there are no questions.
 
     Raises:
         TraceError: the recording cannot be read.
@@ -59,7 +62,7 @@ def judge_recording(path: Path, questions: Sequence[str] = (), mission: OpenMiss
         opened = open_mission(unpack(trace, Path(folder)))
         if mission is not None:
             _expect_same_team(trace, mission)
-        return _Recording(trace, opened, mission or opened).judge(questions)
+        return _Recording(trace, opened, mission or opened).judge(questions, ready)
 
 
 def _expect_same_team(trace: OpenTrace, mission: OpenMission) -> None:
@@ -107,8 +110,8 @@ class _Recording:
         self._columns = {column.name: at for at, column in enumerate(header.columns) if column.owner == TEAM}
         self._record = TickRecord(0, [], [])
 
-    def judge(self, questions: Sequence[str]) -> list[Judgement]:
-        """Judges all of them, in their order."""
+    def judge(self, questions: Sequence[str], ready: bool) -> list[Judgement]:
+        """Judges all of them, in their order; without questions those of the mission, and the `ready` ones."""
         cases: list[_Case | Property | Judgement | PropertyText] = []
         for text in [read_property(question) for question in questions]:
             cases.append(self._case(text))
@@ -118,7 +121,7 @@ class _Recording:
                     cases.append(self._asked(PropertyText(one.name, "", one)))
                 except PropertyError as error:
                     cases.append(self._undecided(one.name, one.words, error.message))
-            cases += self._ready()
+            cases += self._ready() if ready else []
         asked = [one for one in cases if isinstance(one, _Case)]
         gaps = self._read(asked)
         return [self._judgement(one, gaps) for one in cases]

@@ -1115,6 +1115,18 @@ export interface Judged {
   mission: Mission;
 }
 
+/**
+ * What is said of a property of the mission: `name` is its own, `sentence` what it demands, `reason` the ground.
+ * `tick`: the tick in which it broke; null where there is no such moment.
+ */
+export interface Judgement {
+  name: string;
+  sentence: string;
+  ruling: "kept" | "broken" | "not decided";
+  reason: string;
+  tick: number | null;
+}
+
 /** What a method gives: an instruction, true or false, or a number. */
 export type Kind = "procedure" | "test" | "value";
 

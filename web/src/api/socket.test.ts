@@ -13,6 +13,10 @@ class OtherEnd extends EventTarget {
   tell(tick: number): void {
     this.dispatchEvent(new MessageEvent("message", { data: JSON.stringify({ type: "tick", tick }) }));
   }
+  /** A frame without robots. */
+  show(tick: number): void {
+    this.dispatchEvent(new MessageEvent("message", { data: new Float32Array([tick, 0, 0]).buffer }));
+  }
   end(): void {
     this.dispatchEvent(new Event("close"));
   }
@@ -44,7 +48,7 @@ beforeEach(() => {
       heard.push(message.tick);
       if (message.tick === 9) hand.close();
     },
-    onFrames: () => undefined,
+    onFrames: (_way, last) => heard.push(`frame ${String(last.tick)}`),
     onLost: () => heard.push("lost"),
   });
 });
@@ -63,6 +67,16 @@ it("hands on with the next picture all that came before it, in order", () => {
   end.tell(4);
   draw();
   expect(heard).toEqual([1, 2, 3, 4]);
+});
+
+it("hands frames on in their order among the messages", () => {
+  end.tell(1);
+  end.show(1);
+  end.tell(2);
+  end.show(2);
+  expect(heard).toEqual([]);
+  draw();
+  expect(heard).toEqual([1, "frame 1", 2, "frame 2"]);
 });
 
 it("waits for no picture in a page that draws none", () => {

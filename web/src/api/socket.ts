@@ -2,8 +2,8 @@
  * The run's WebSocket: JSON both ways, binary pose frames in.
  *
  * A lost connection is said once and not mended in secret: the run it carried is gone, so the person decides.
- * Messages that came since the last picture are handed on together: a page that is slower than its run draws the newest
- * state and falls no further behind.
+ * Messages and frames that came since the last picture are handed on together, in their order: a page that is slower than
+ * its run draws the newest state and falls no further behind.
  */
 import { t } from "../i18n/words";
 import { socketAddress } from "./address";
@@ -28,19 +28,19 @@ interface Listener {
   onLost: (failure: Failure) => void;
 }
 
-/** Hands on what is put in before the next picture, in order; at once in a page that draws none. */
-function collectForPicture<T>(handOn: (one: T) => void) {
-  let waiting: T[] = [];
+/** Does what is put in before the next picture, in order; at once in a page that draws none. */
+function collectForPicture() {
+  let waiting: (() => void)[] = [];
   const flush = () => {
-    for (const one of waiting.splice(0)) handOn(one);
+    for (const act of waiting.splice(0)) act();
   };
   const hide = () => {
     if (document.hidden) flush();
   };
   document.addEventListener("visibilitychange", hide);
   return {
-    put: (one: T) => {
-      waiting.push(one);
+    put: (act: () => void) => {
+      waiting.push(act);
       if (document.hidden) flush();
       else if (waiting.length === 1) requestAnimationFrame(flush);
     },
@@ -56,37 +56,39 @@ export function openRunSocket(listener: Listener): RunSocket {
   const socket = talk().socket(socketAddress("api/run"));
   socket.binaryType = "arraybuffer";
   let ours = false;
-  const messages = collectForPicture((message: RunMessage) => {
-    if (!ours) listener.onMessage(message);
-  });
+  const news = collectForPicture();
   const hand: RunSocket = {
     send: (request) => {
       if (socket.readyState === WebSocket.OPEN) socket.send(JSON.stringify(request));
     },
     close: () => {
       ours = true;
-      messages.end();
+      news.end();
       socket.close();
     },
   };
   socket.addEventListener("open", () => listener.onOpen(hand));
   socket.addEventListener("message", (event: MessageEvent<string | ArrayBuffer>) => {
     if (ours) return;
-    if (typeof event.data === "string") {
-      messages.put(JSON.parse(event.data) as RunMessage);
-    } else {
-      const way = decodeFrames(event.data);
+    const { data } = event;
+    news.put(() => {
+      if (ours) return;
+      if (typeof data === "string") {
+        listener.onMessage(JSON.parse(data) as RunMessage);
+        return;
+      }
+      const way = decodeFrames(data);
       const last = way.pop();
       if (last !== undefined) listener.onFrames(way, last);
-    }
+    });
   });
   socket.addEventListener("close", () => {
     if (ours) return;
-    messages.flush();
+    news.flush();
     // What was handed on last may have ended the run.
     if (ours) return;
     ours = true;
-    messages.end();
+    news.end();
     listener.onLost({
       message: t("error.run-lost"),
       help: t("error.run-lost-help"),
