@@ -316,6 +316,7 @@ ASKED: dict[tuple[str, str], tuple[Asking, ...]] = {
     ("GET", "/api/trace"): (lambda both: both.get("trace", path="none.krtrace"),),
     ("POST", "/api/trace"): (lambda both: both.send("trace", text_of_a_run(both).content, name="a.krtrace"),),
     ("GET", "/api/run/trace"): (text_of_a_run,),
+    ("GET", "/api/run/judgements"): (lambda both: both.get("run/judgements", run="none"),),
     ("GET", "/"): (lambda both: both.page.get("/"),),
 }
 """What is asked of each route, with an answer and, where there is one, a refusal that is said by hand."""

@@ -197,6 +197,39 @@ def test_the_run_so_far_is_saved_with_what_was_done_to_it(page, connect, mission
     assert (missing.status_code, "no such run" in missing.json()["message"]) == (422, True)
 
 
+def test_properties_are_judged_in_all_of_a_run_with_what_was_done_to_it(page, connect, mission, transport):
+    """Of a run that has ended, and again after somebody went back in it and changed what follows."""
+    asked = {
+        **mission(transport),
+        "properties": [
+            {"name": "once", "form": "at-most", "first": "any carrier-1 (Cargo.IsPressed())", "times": 1},
+            {"name": "dock four", "form": "never", "first": "any carrier-1 (Dock.EqualTo(4))"},
+        ],
+    }
+    with connect() as watcher:
+        run = watcher.start(asked, path=transport, speed=0)["run"]
+        watcher.until("state", status="done")
+        first = {one["name"]: one for one in page.get("/api/run/judgements", params={"run": run}).json()}
+        assert (first["once"]["ruling"], first["dock four"]["ruling"]) == ("broken", "kept")
+        assert first["once"]["tick"] > 0
+        assert "carrier-1" in first["once"]["sentence"]
+        watcher.send(type="seek", tick=50)
+        watcher.until("tick", tick=50)
+        watcher.send(type="set", agent="carrier-1", variable="Dock", value=4)
+        watcher.until("tick", again=True)
+        second = {one["name"]: one for one in page.get("/api/run/judgements", params={"run": run}).json()}
+        assert (second["once"]["ruling"], second["dock four"]["ruling"]) == ("kept", "broken")
+    missing = page.get("/api/run/judgements", params={"run": run})
+    assert (missing.status_code, "no such run" in missing.json()["message"]) == (422, True)
+
+
+def test_a_mission_without_properties_asks_nothing_of_its_run(page, connect, mission):
+    with connect() as watcher:
+        run = watcher.start(mission())["run"]
+        watcher.until("state", status="done")
+        assert page.get("/api/run/judgements", params={"run": run}).json() == []
+
+
 def test_recordings_of_the_folder_are_listed_and_opened(page, folder, recorded):
     (folder / "deep").mkdir()
     (folder / "deep" / "bug.krtrace").write_bytes(recorded)

@@ -20,8 +20,11 @@ import type { MenuEntries } from "./menu-table";
 export type SlotName =
   "banner" | "tools" | "status" | "tabs-end" | "above" | "below" | "bottom" | "over-page" | "after-page";
 
-/** Places for one part at a time; `graph` is the centre, `empty-program` lies under a program without parts. */
-export type PanelPlace = Panel | "graph" | "empty-program";
+/**
+ * Places for one part at a time; `graph` is the centre, `empty-program` lies under a program without parts, `ending` on
+ * the card of a run that has ended.
+ */
+export type PanelPlace = Panel | "graph" | "empty-program" | "ending";
 
 /** A tab behind those of the programs. Its element is `tab-of-NAME`, its panel's is `NAME-panel`. */
 export interface FeatureTab {

@@ -10,6 +10,8 @@ import { menuItem } from "../../ui/menu-model";
 
 const CheckPanel = later(() => import("./CheckPanel").then((chunk) => chunk.CheckPanel), complain);
 
+const RunJudgements = later(() => import("./RunJudgements").then((chunk) => chunk.RunJudgements), complain);
+
 const open = () => openDock("check-panel");
 
 const KEYS = {
@@ -38,6 +40,7 @@ function start(): () => void {
 export const check: Feature = {
   name: "check",
   docks: { "check-panel": CheckPanel },
+  panels: { ending: RunJudgements },
   keys: KEYS,
   start,
   useMenu: () => ({ sweep: [menuItem("run-check", t("run.check"), keyFor.page(KEYS.check), open)] }),

@@ -2,6 +2,7 @@
  * What the run did, as a card over the arena, and ways on. The arena stays as large as it is, and its camera shows what
  * matters above the card. It goes with its ✕ and with the next run.
  */
+import { PanelSlot } from "../../../components/Slot";
 import CircleCheck from "lucide-react/icons/circle-check";
 import CircleX from "lucide-react/icons/circle-x";
 import Download from "lucide-react/icons/download";
@@ -89,6 +90,7 @@ export function Ending({ painter }: { painter: Painter }) {
             {t("arena.cause", { time: clock((cause.tick * run.tickMs) / 1000) })} <Said text={cause.text} />
           </p>
         )}
+        <PanelSlot place="ending" />
       </div>
       {seeks || goesOn || saves ? (
         <span className="stage-ending-ways wrap" data-next={goesOn}>

@@ -1,0 +1,83 @@
+/** What the mission's own properties are in the run that has ended; a broken one leads to its moment. */
+import { type ReactNode, useEffect, useState } from "react";
+
+import type { Judgement } from "../../api/generated";
+import { traceApi } from "../../api/traces";
+import { decimal } from "../../i18n/numbers";
+import { Said } from "../../i18n/Said";
+import { t } from "../../i18n/words";
+import { can, useRun } from "../../session/run";
+import { Button } from "../../ui/Button";
+
+interface Answer {
+  run: string;
+  said: readonly Judgement[];
+  /** Why nothing is known. */
+  wrong: string;
+}
+
+/** The answer of the studio about a run; null until it comes. */
+function useJudgements(run: string, asks: boolean): Answer | null {
+  const [answer, setAnswer] = useState<Answer | null>(null);
+  useEffect(() => {
+    if (!asks) return;
+    let over = false;
+    const take = (said: readonly Judgement[], wrong: string) => {
+      if (!over) setAnswer({ run, said, wrong });
+    };
+    traceApi.judgements(run).then(
+      (said) => take(said, ""),
+      (cause: unknown) => take([], cause instanceof Error ? cause.message : String(cause)),
+    );
+    return () => {
+      over = true;
+    };
+  }, [run, asks]);
+  return answer?.run === run ? answer : null;
+}
+
+export function RunJudgements({ children }: { children: ReactNode }) {
+  const run = useRun((state) => state.name);
+  const tickMs = useRun((state) => state.tickMs);
+  const asks = useRun(({ mission }) => (mission?.properties ?? []).length > 0);
+  const seeks = useRun((state) => can("seek", state));
+  const answer = useJudgements(run, asks);
+  if (!asks || answer === null) return children;
+  const { said, wrong } = answer;
+  const kept = said.filter(({ ruling }) => ruling === "kept").length;
+  return (
+    <>
+      {children}
+      <div role="status" data-testid="run-judgements">
+        {said
+          .filter(({ ruling }) => ruling === "broken")
+          .map(({ name, sentence, reason, tick }) => (
+            <p key={name} className="stage-ending-more" title={reason} data-ruling="broken">
+              <strong>
+                {t("check.run-broken", { time: tick === null ? "" : `${decimal((tick * tickMs) / 1000, 1, 1)} s` })}
+              </strong>{" "}
+              <Said text={sentence} />{" "}
+              {!seeks || tick === null ? null : (
+                <Button testId={`judgement-${name}`} onClick={() => useRun.getState().seek(tick)}>
+                  {t("check.run-where")}
+                </Button>
+              )}
+            </p>
+          ))}
+        {said
+          .filter(({ ruling }) => ruling === "not decided")
+          .map(({ name, reason }) => (
+            <p key={name} className="stage-ending-more" data-ruling="open">
+              {t("check.run-open", { name })} <Said text={reason} />
+            </p>
+          ))}
+        {kept === 0 ? null : (
+          <p className="stage-ending-more" data-ruling="kept">
+            {t("check.run-kept", { count: kept })}
+          </p>
+        )}
+        {wrong === "" ? null : <p className="stage-ending-more">{wrong}</p>}
+      </div>
+    </>
+  );
+}
