@@ -219,6 +219,14 @@ def test_properties_are_judged_in_all_of_a_run_with_what_was_done_to_it(page, co
         watcher.until("tick", again=True)
         second = {one["name"]: one for one in page.get("/api/run/judgements", params={"run": run}).json()}
         assert (second["once"]["ruling"], second["dock four"]["ruling"]) == ("kept", "broken")
+        found = opened(page, page.get("/api/run/trace", params={"run": run}).content)
+        watcher.send(type="stop")
+        watcher.until("state", status="stopped")
+        watcher.send(type="replay", recording=found["recording"], speed=0)
+        run = watcher.until("started")["run"]
+        watcher.until("state", status="end")
+        played = page.get("/api/run/judgements", params={"run": run}).json()
+        assert played == list(second.values())
     missing = page.get("/api/run/judgements", params={"run": run})
     assert (missing.status_code, "no such run" in missing.json()["message"]) == (422, True)
 
