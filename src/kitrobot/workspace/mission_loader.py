@@ -7,6 +7,7 @@ Mistakes in XML files that the mission does not need never prevent opening: they
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
@@ -83,6 +84,19 @@ class OpenMission:
     """What the files hold, without the parts that the mission brings along."""
     kept: CompileCache | None = field(default=None, repr=False, compare=False)
     """Where programs that were compiled already are found, in the studio."""
+
+    def _repr_html_(self) -> str:
+        """The mission in a notebook: its world with the robots at their starts, its programs, and its mistakes."""
+        from kitrobot.workspace.notebook_html import mission_html
+
+        agents = Counter(agent.program for agent in self.mission.team.agents)
+        rows = [
+            (program.name, f"{program.target}, {len(program.vertices) - 2} parts, in {agents[program.name]} agents")
+            for program in self.mission.programs
+        ]
+        return mission_html(
+            Path(self.name).name, rows, self.report.problems, self.simulation if self.report.ok else None
+        )
 
     @property
     def files(self) -> tuple[Path, ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any, Literal
 
@@ -23,6 +23,7 @@ from kitrobot.sim.step.pens import pens_of
 from kitrobot.text.sentences import Sentence
 from kitrobot.trace.drawing import Drawing, Stroke
 from kitrobot.workspace.mission_loader import OpenMission
+from kitrobot.workspace.notebook_html import WorldMoment, moment_of, table_html, world_html
 from kitrobot.workspace.run_hints import advice
 from kitrobot.workspace.traces import parts_of
 
@@ -53,6 +54,7 @@ class Run:
         timing: what the clock on the wall decided.
         advice: hints on a run that ended before anything could be seen.
         strokes: what pens drew.
+        last: the world with its robots as they were at the end.
     """
 
     outcome: Literal["done", "failed", "stuck", "time"]
@@ -64,7 +66,21 @@ class Run:
     collisions: int
     timing: Timing
     advice: tuple[Diagnostic, ...] = ()
-    strokes: tuple[Stroke, ...] = ()
+    strokes: tuple[Stroke, ...] = field(default=(), repr=False)
+    last: WorldMoment | None = field(default=None, repr=False, compare=False)
+
+    def _repr_html_(self) -> str:
+        """The run in a notebook: the world as it was at the end, and what came of it."""
+        delivered = sum(self.delivered.values())
+        rows = (
+            ("outcome", self.outcome),
+            ("simulated", f"{self.seconds:.2f} s, {self.ticks} ticks"),
+            ("delivered", f"{delivered} of {self.total}" if self.total else ""),
+            ("contacts", str(self.collisions)),
+            ("took", f"{self.timing.real_seconds:.3f} s"),
+        )
+        picture = "" if self.last is None else world_html(self.last, self.strokes)
+        return f"<figure>{picture}{table_html(self.sentence, rows)}</figure>"
 
     def to_json(self) -> dict[str, Any]:
         """As plain values, in the published shape."""
@@ -150,6 +166,7 @@ class PreparedRun:
             Timing(real, made.seconds / real if real > 0 else 0.0),
             tuple(advice(self.opened, made)),
             tuple(strokes_now(made, drawn)),
+            moment_of(made),
         )
 
     @property
