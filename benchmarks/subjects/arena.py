@@ -2,7 +2,7 @@
 
 The real server and the real page in Chromium; the swarm of `swarm.py` runs at plain speed, all of it in view in a large
 arena. What one picture costs is told besides, by the page: its main thread from the begin of a picture to its
-end, without what the graphics process does afterwards.
+end, without what the graphics process does afterwards. The stage of a new user follows (`benchmarks/stage.py`).
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from pathlib import Path
 from playwright.sync_api import Browser, Page
 
 from benchmarks import browser as web
+from benchmarks import stage
 from benchmarks.measurement import Rate, Row
 from benchmarks.swarm import PROGRAM, ROBOT, arena, rover
 from kitrobot.compiler.text.lll_to_graph import lll_to_graph
@@ -49,10 +50,11 @@ class Size:
     robots: int
     rounds: int
     ms: int
+    drawing: int
 
 
-FULL = Size(2000, 3, 4000)
-TINY = Size(20, 1, 300)
+FULL = Size(2000, 3, 4000, 20)
+TINY = Size(20, 1, 300, 2)
 
 
 def run(size: Size, *, peers: bool) -> list[Row]:
@@ -62,7 +64,9 @@ def run(size: Size, *, peers: bool) -> list[Row]:
             return []
         with _studio(size.robots) as address:
             found = _measured(browser, address, size)
-    rows = []
+        with stage.studio(size.drawing) as address:
+            drawn = [stage.measure(browser, address) for _ in range(size.rounds)]
+    rows = [_stage_row(f"{size.drawing} drawing: {name}", [one[name] for one in drawn]) for name in drawn[0]]
     for what, pairs in found.items():
         rates, works = [rate for rate, _ in pairs], [work for _, work in pairs]
         rows += [
@@ -75,6 +79,13 @@ def run(size: Size, *, peers: bool) -> list[Row]:
             ),
         ]
     return rows
+
+
+def _stage_row(what: str, values: list[float]) -> Row:
+    low, high = min(values), max(values)
+    if what.endswith("frames"):
+        return Row(what, "frames/s", Rate(statistics.median(values), low, high))
+    return Row(what, "ms", Rate(statistics.median(values), high, low), lower_is_better=True)
 
 
 def _measured(browser: Browser, address: str, size: Size) -> dict[str, list[tuple[float, float]]]:
