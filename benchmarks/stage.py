@@ -29,16 +29,18 @@ APART_MM = 700
 AFTER_MS = 1000
 
 WATCH = """(after) => {
-    const [button, strip, status] = ['run-button', 'event-strip', 'status']
-        .map((name) => document.querySelector(`[data-testid="${name}"]`));
+    const at = (name) => document.querySelector(`[data-testid="${name}"]`);
     const seen = { frames: [], pressed: 0, moved: 0, ended: 0 };
-    button.addEventListener('click', () => { seen.pressed = performance.now(); }, { capture: true, once: true });
+    at('run-button').addEventListener('click', () => { seen.pressed = performance.now(); },
+        { capture: true, once: true });
     window.stageSeen = new Promise((done) => {
         const each = (now) => {
-            if (seen.pressed > 0) seen.frames.push(now);
-            const tick = Number(document.querySelector('[data-testid="event-strip"]')?.getAttribute('aria-valuenow'));
-            if (seen.pressed > 0 && seen.moved === 0 && tick > 0) seen.moved = now;
-            if (seen.pressed > 0 && seen.ended === 0 && status.dataset.status === 'done') seen.ended = now;
+            if (seen.pressed > 0) {
+                seen.frames.push(now);
+                const moves = Number(at('event-strip')?.getAttribute('aria-valuenow')) > 0;
+                if (seen.moved === 0 && moves) seen.moved = now;
+                if (seen.ended === 0 && at('status')?.dataset.status === 'done') seen.ended = now;
+            }
             if (seen.ended > 0 && now - seen.ended > after) done(seen);
             else requestAnimationFrame(each);
         };
@@ -50,7 +52,7 @@ WATCH = """(after) => {
 def measure(browser: Browser, address: str) -> dict[str, float]:
     """One run: the figures by name, in ms and in frames a second."""
     with web.opened(browser, address, "document.querySelector('[data-testid=arena-canvas]')") as (page, _):
-        page.locator("[data-testid=arena-add-wall], [data-testid=arena-show]").first.wait_for()
+        page.locator("[data-testid=saved-state]").filter(has_text="saved").wait_for()
         page.evaluate(WATCH, AFTER_MS)
         page.locator("[data-testid=run-button]").click()
         seen = page.evaluate("stageSeen")

@@ -1,7 +1,9 @@
-import { describe, expect, it } from "vitest";
+import { afterEach, describe, expect, it, vi } from "vitest";
 
 import type { Mission, World } from "../model/types";
-import { freeName, nextSpeed, programWithAgent } from "./actions";
+import { freeName, nextSpeed, programWithAgent, run } from "./actions";
+import { useDocument } from "./document";
+import { useRun } from "./run";
 
 const MISSION: Mission = {
   version: 1,
@@ -32,6 +34,25 @@ describe("a new program", () => {
 
   it("takes the first name that is free", () => {
     expect(freeName("a", ["a-1", "a-3"])).toBe("a-2");
+  });
+});
+
+describe("Run", () => {
+  const begun = useRun.getState();
+  afterEach(() => {
+    useRun.setState(begun);
+    useDocument.setState({ ready: false });
+  });
+
+  it("that is pressed before the first mission is there starts it once when it is", async () => {
+    const start = vi.fn(() => useRun.setState({ status: "connecting" }));
+    useRun.setState({ status: "idle", start });
+    useDocument.setState({ ready: false, overlay: null });
+    run();
+    run();
+    expect(start).not.toHaveBeenCalled();
+    useDocument.setState({ ready: true });
+    await vi.waitFor(() => expect(start).toHaveBeenCalledOnce());
   });
 });
 

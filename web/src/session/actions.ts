@@ -5,7 +5,7 @@ import { addProgram, removeProgram } from "../model/commands/changePrograms";
 import { moveProgram } from "../model/commands/moveProgram";
 import { useStudio } from "../model/studio";
 import type { Mission, World } from "../model/types";
-import { dismissBanner, note, useDocument } from "./document";
+import { dismissBanner, note, useDocument, whenReady } from "./document";
 import { isLive, useRun, watchedAgent } from "./run";
 import { closeTeam, openTeam } from "./team-view";
 import { whenFollowed } from "./typing";
@@ -13,7 +13,12 @@ import { useView } from "./view";
 
 export function run(): void {
   // Over the mission lies the page of another one: nothing runs below it.
-  if (useDocument.getState().overlay === "new") return;
+  const { overlay, ready } = useDocument.getState();
+  if (overlay === "new") return;
+  if (!ready) {
+    void whenReady().then(run);
+    return;
+  }
   const { status, start, resume } = useRun.getState();
   if (status === "paused") {
     resume();

@@ -100,6 +100,18 @@ export function setSaving(saving: boolean): void {
   set({ saving });
 }
 
+/** Once the page's own first mission is there: what opens or runs before would be taken for that. */
+export function whenReady(): Promise<void> {
+  return new Promise((resolve) => {
+    if (useDocument.getState().ready) resolve();
+    const off = useDocument.subscribe(({ ready }) => {
+      if (!ready) return;
+      off();
+      resolve();
+    });
+  });
+}
+
 /** A mission is there; what was said and shown of the one before goes. */
 export function missionOpened(fileProblems: Problem[]): void {
   set({ ready: true, ahead: false, banner: null, overlay: null, fileProblems });

@@ -16,7 +16,7 @@ import { useStudio } from "../../model/studio";
 import { t } from "../../i18n/words";
 import { text } from "../../model/texts";
 import type { Mission } from "../../model/types";
-import { complain, shownName, useDocument } from "../../session/document";
+import { complain, shownName, whenReady } from "../../session/document";
 import { remember as rememberExercise, useOpenExercise } from "../../session/open-exercise";
 import { beginMission, openPath } from "../../session/open-requests";
 import { useRun } from "../../session/run";
@@ -103,18 +103,6 @@ async function exerciseOffer(name: string): Promise<Offer | null> {
 async function fetchExercise(name: string): Promise<void> {
   const files = await classApi.exercise();
   if (files.byteLength > 0) await exerciseApi.keep(name, files);
-}
-
-/** Once the page's own first mission is there: what opens before would be taken for that. */
-function whenReady(): Promise<void> {
-  return new Promise((resolve) => {
-    if (useDocument.getState().ready) resolve();
-    const off = useDocument.subscribe(({ ready }) => {
-      if (!ready) return;
-      off();
-      resolve();
-    });
-  });
 }
 
 /** Whether the class still knows this pupil; else the page is the one for joining again. */
