@@ -100,7 +100,9 @@ class Both:
                 if message.get("text") is not None:
                     said.append(json.loads(message["text"]))
                     assert said[-1]["type"] in ("started", "tick", "state"), said[-1]
-            self.answer = self.get("run/trace", run=next(one["run"] for one in said if one["type"] == "started"))
+            run = next(one["run"] for one in said if one["type"] == "started")
+            self.answer = self.get("run/trace", run=run)
+            self.judged = self.get("run/judgements", run=run)
         return json.dumps(said)
 
 
@@ -112,6 +114,11 @@ def own_world(both: Both) -> dict[str, Any]:
 def text_of_a_run(both: Both) -> Any:
     both.run()
     return both.answer
+
+
+def judgements_of_a_run(both: Both) -> Any:
+    both.run()
+    return both.judged
 
 
 def journal(both: Both, method: str, path: str) -> Any:
@@ -316,7 +323,7 @@ ASKED: dict[tuple[str, str], tuple[Asking, ...]] = {
     ("GET", "/api/trace"): (lambda both: both.get("trace", path="none.krtrace"),),
     ("POST", "/api/trace"): (lambda both: both.send("trace", text_of_a_run(both).content, name="a.krtrace"),),
     ("GET", "/api/run/trace"): (text_of_a_run,),
-    ("GET", "/api/run/judgements"): (lambda both: both.get("run/judgements", run="none"),),
+    ("GET", "/api/run/judgements"): (judgements_of_a_run, lambda both: both.get("run/judgements", run="none")),
     ("GET", "/"): (lambda both: both.page.get("/"),),
 }
 """What is asked of each route, with an answer and, where there is one, a refusal that is said by hand."""
