@@ -7,7 +7,7 @@
 
 from microbit import i2c, running_time
 
-wanted = [0, 0, 0, 0]  # percent: forward, counter-clockwise, the left and the right wheel by themselves
+wanted = [0, 0, 0, 0, 1]  # percent: forward, counter-clockwise, each wheel by itself; whether that is news
 told = [None, None]  # the percent of each wheel; then, at pins, those of each
 
 
@@ -52,17 +52,18 @@ class Motors:
 
     def do(self, procedure, arguments):
         self.goal = None
-        wanted[self.at] = 0
-        if procedure != "Stop":
-            wanted[self.at] = arguments[-1]
+        percent = arguments[-1] if arguments else 0
         if procedure in ("Reverse", "Backward"):
-            wanted[self.at] = -arguments[0]
+            percent = -percent
         if procedure == "AbsoluteTurn":
             self.goal = arguments[0] * 360
         if procedure in ("LeftBy", "RightBy", "DriveBy", "BackBy"):
-            wanted[self.at] = 50 if (arguments[0] > 0) == (procedure in ("LeftBy", "DriveBy")) else -50
-            self.goal = abs(arguments[0]) * (100 if self.at else 1000)
-        self.since = running_time()
+            self.goal = abs(percent) * (100 if self.at else 1000)
+            percent = 50 if (percent > 0) == (procedure in ("LeftBy", "DriveBy")) else -50
+        if self.goal is not None:
+            self.since = running_time()
+        wanted[self.at] = percent
+        wanted[4] = 1
 
     def done(self):
         # In hundredths of a degree or a millimetre: time, full rate, and speed in percent.
@@ -72,20 +73,24 @@ class Motors:
         ):
             self.goal = None
             wanted[self.at] = 0
+            wanted[4] = 1
         return self.goal is None
 
     def tend(self):
+        if not wanted[4]:
+            return
+        wanted[4] = 0
         for side in (0, 1):
             percent = wanted[0] + (wanted[1] if side else -wanted[1]) + wanted[2 + side]
-            percent = max(-100, min(percent, 100))
             if told[side] != percent:
-                write(self.kit, side, percent)
+                write(self.kit, side, max(-100, min(percent, 100)))
                 told[side] = percent
 
     def stop(self):
         self.goal = None
         for at in range(4):
             wanted[at] = 0
+        wanted[4] = 1
         for side in (0, 1):
             told[side] = None  # stands still, whatever was told before
             write(self.kit, side, 0)
