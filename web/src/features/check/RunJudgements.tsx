@@ -52,7 +52,7 @@ export function RunJudgements({ children }: { children: ReactNode }) {
         {said
           .filter(({ ruling }) => ruling === "broken")
           .map(({ name, sentence, reason, tick }) => (
-            <p key={name} className="stage-ending-more" title={reason} data-ruling="broken">
+            <p key={name} title={reason} data-ruling="broken">
               <strong>
                 {t("check.run-broken", { time: tick === null ? "" : `${decimal((tick * tickMs) / 1000, 1, 1)} s` })}
               </strong>{" "}
@@ -67,16 +67,12 @@ export function RunJudgements({ children }: { children: ReactNode }) {
         {said
           .filter(({ ruling }) => ruling === "not decided")
           .map(({ name, reason }) => (
-            <p key={name} className="stage-ending-more" data-ruling="open">
+            <p key={name} data-ruling="open">
               {t("check.run-open", { name })} <Said text={reason} />
             </p>
           ))}
-        {kept === 0 ? null : (
-          <p className="stage-ending-more" data-ruling="kept">
-            {t("check.run-kept", { count: kept })}
-          </p>
-        )}
-        {wrong === "" ? null : <p className="stage-ending-more">{wrong}</p>}
+        {kept === 0 ? null : <p data-ruling="kept">{t("check.run-kept", { count: kept })}</p>}
+        {wrong === "" ? null : <p>{wrong}</p>}
       </div>
     </>
   );

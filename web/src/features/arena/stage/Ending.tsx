@@ -90,7 +90,9 @@ export function Ending({ painter }: { painter: Painter }) {
             {t("arena.cause", { time: clock((cause.tick * run.tickMs) / 1000) })} <Said text={cause.text} />
           </p>
         )}
-        <PanelSlot place="ending" />
+        <div className="stage-ending-more">
+          <PanelSlot place="ending" />
+        </div>
       </div>
       {seeks || goesOn || saves ? (
         <span className="stage-ending-ways wrap" data-next={goesOn}>
