@@ -49,6 +49,18 @@ for part, procedure, arguments in (
     while not part.done(): pass
     part.tend()
     found["by"].append((going, time.ticks_diff(time.ticks_ms(), begun), taken()))
+import microbit
+def refuse(*words):
+    raise OSError(19)
+usual, microbit.i2c.write = microbit.i2c.write, refuse
+part.do("Turn", [30])
+try:
+    part.tend()
+except OSError:
+    found["refused"] = taken()
+microbit.i2c.write = usual
+part.tend()
+found["again"] = taken()
 line = make("microbit.line", pin="13", dark="low", min="1")
 seen = []
 for level in (0, 1):
@@ -157,6 +169,12 @@ def test_degrees_and_distances_are_done_at_half_speed_and_then_the_motors_stand(
     assert 90 <= turned < 1000
     assert 200 <= driven < 1100
     assert stood[-1][2][1] == end[-1][2][1] == 0
+
+
+def test_what_a_chip_did_not_take_is_told_again(found: dict[str, Any]) -> None:
+    assert found["refused"] == []
+    (again,) = bytes_of([found["again"]], 0x62)
+    assert [data for data in again if data[1]] == [(5, 76), (3, 76)]
 
 
 def test_eyes_range_finder_lamps_and_servos_do_what_their_kits_say(found: dict[str, Any]) -> None:

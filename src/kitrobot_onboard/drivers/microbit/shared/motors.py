@@ -79,12 +79,12 @@ class Motors:
     def tend(self):
         if not wanted[4]:
             return
-        wanted[4] = 0
         for side in (0, 1):
             percent = wanted[0] + (wanted[1] if side else -wanted[1]) + wanted[2 + side]
             if told[side] != percent:
                 write(self.kit, side, max(-100, min(percent, 100)))
                 told[side] = percent
+        wanted[4] = 0  # not before: what a chip did not take is told again
 
     def stop(self):
         self.goal = None
