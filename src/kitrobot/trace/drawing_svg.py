@@ -17,13 +17,14 @@ def drawing_svg(strokes: Iterable[Stroke], width_mm: float, height_mm: float, fl
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_number(width_mm)}mm" height="{_number(height_mm)}mm" '
         f'viewBox="0 0 {size}" fill="none" stroke-linecap="round" stroke-linejoin="round">',
         *floor,
-        *(_line(stroke, height_mm) for stroke in strokes),
+        *(stroke_svg(stroke, height_mm) for stroke in strokes),
         "</svg>",
     ]
     return "\n".join(lines) + "\n"
 
 
-def _line(stroke: Stroke, height_mm: float) -> str:
+def stroke_svg(stroke: Stroke, height_mm: float) -> str:
+    """A line of the file, in mm; y goes up in the stroke."""
     return f'  <path d="{" ".join(_points(stroke, height_mm))}" stroke="{COLOURS[stroke.colour]}" ' + (
         f'stroke-width="{stroke.width_mm}"/>'
     )

@@ -15,7 +15,7 @@ from kitrobot.primitives.robot import Robot
 from kitrobot.sim.setup.settings import length_of
 from kitrobot.sim.simulation import Simulation
 from kitrobot.trace.drawing import Stroke
-from kitrobot.trace.drawing_svg import drawing_svg
+from kitrobot.trace.drawing_svg import stroke_svg
 from kitrobot.world.floor_svg import floor_svg
 from kitrobot.world.model import World
 
@@ -61,19 +61,20 @@ def moment_of(run: Simulation) -> WorldMoment:
 def world_html(moment: WorldMoment, strokes: Iterable[Stroke] = ()) -> str:
     """The world from above, with what pens drew and the robots on it."""
     world = moment.world
-    bodies = [
-        _body(name, robot, pose, world.height_mm)
-        for (name, robot), pose in zip(moment.robots, moment.poses, strict=True)
-    ]
     least_mm = math.ceil(LINE_PX * world.width_mm / WIDTH_PX)
-    seen = (replace(one, width_mm=max(one.width_mm, least_mm)) for one in strokes)
-    picture = drawing_svg(seen, world.width_mm, world.height_mm, floor_svg(world))
-    whole = picture.replace("</svg>", "\n".join([*bodies, "</svg>"]))
-    # As wide as a column, whatever the world measures; mm are those of a printed drawing.
-    head, _, rest = whole.partition(" viewBox=")
-    start = head.partition(" width=")[0]
-    words = escape(f"{world.name}, from above", quote=True)
-    return f'{start} width="{WIDTH_PX}" role="img" aria-label="{words}" viewBox={rest}'
+    lines = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH_PX}" role="img" '
+        f'aria-label="{escape(world.name)}, from above" viewBox="0 0 {world.width_mm:g} {world.height_mm:g}" '
+        'fill="none" stroke-linecap="round" stroke-linejoin="round">',
+        *floor_svg(world),
+        *(stroke_svg(replace(one, width_mm=max(one.width_mm, least_mm)), world.height_mm) for one in strokes),
+        *(
+            _body(name, robot, pose, world.height_mm)
+            for (name, robot), pose in zip(moment.robots, moment.poses, strict=True)
+        ),
+        "</svg>",
+    ]
+    return "\n".join(lines)
 
 
 def table_html(caption: str, rows: Iterable[tuple[str, str]]) -> str:

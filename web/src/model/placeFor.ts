@@ -20,9 +20,10 @@ export function placeFor(structure: Structure, around: Around, shape: Shape, wai
   const spot = around.vertex === null ? undefined : findSpot(structure, around.vertex);
   if (shape.role === "branch") return branchPlace(structure, spot, shape);
   if (!standsInChain(shape)) {
+    // An arc is selected to put something there.
     const slot = waits && around.arc !== null ? null : slotPlace(structure, spot, shape);
-    const chained = waits && (around.arc !== null || spot !== undefined);
-    if (slot !== null || !chained) return slot ?? { kind: "void" };
+    if (slot !== null) return slot;
+    if (!waits || (around.arc === null && spot === undefined)) return { kind: "void" };
   }
   if (around.arc !== null) return arcPlace(around.arc.source, around.arc.out);
   if (spot !== undefined) {

@@ -17,10 +17,10 @@ interface Answer {
 }
 
 /** The answer of the studio about a run; null until it comes. */
-function useJudgements(run: string, asks: boolean): Answer | null {
+function useJudgements(run: string, hasProperties: boolean): Answer | null {
   const [answer, setAnswer] = useState<Answer | null>(null);
   useEffect(() => {
-    if (!asks) return;
+    if (!hasProperties) return;
     let over = false;
     const take = (said: readonly Judgement[], wrong: string) => {
       if (!over) setAnswer({ run, said, wrong });
@@ -32,17 +32,17 @@ function useJudgements(run: string, asks: boolean): Answer | null {
     return () => {
       over = true;
     };
-  }, [run, asks]);
+  }, [run, hasProperties]);
   return answer?.run === run ? answer : null;
 }
 
 export function RunJudgements({ children }: { children: ReactNode }) {
   const run = useRun((state) => state.name);
   const tickMs = useRun((state) => state.tickMs);
-  const asks = useRun(({ mission }) => (mission?.properties ?? []).length > 0);
+  const hasProperties = useRun(({ mission }) => (mission?.properties ?? []).length > 0);
   const seeks = useRun((state) => can("seek", state));
-  const answer = useJudgements(run, asks);
-  if (!asks || answer === null) return children;
+  const answer = useJudgements(run, hasProperties);
+  if (!hasProperties || answer === null) return children;
   const { said, wrong } = answer;
   const kept = said.filter(({ ruling }) => ruling === "kept").length;
   return (

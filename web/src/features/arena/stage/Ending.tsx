@@ -2,7 +2,6 @@
  * What the run did, as a card over the arena, and ways on. The arena stays as large as it is, and its camera shows what
  * matters above the card. It goes with its ✕ and with the next run.
  */
-import { PanelSlot } from "../../../components/Slot";
 import CircleCheck from "lucide-react/icons/circle-check";
 import CircleX from "lucide-react/icons/circle-x";
 import Download from "lucide-react/icons/download";
@@ -13,6 +12,7 @@ import { useEffect, useRef, useState } from "react";
 import { create } from "zustand";
 
 import { NextLesson } from "../../../components/NextLesson";
+import { PanelSlot } from "../../../components/Slot";
 import type { Painter } from "../../../components/scene/painter";
 import { clock } from "../../../i18n/numbers";
 import { Said } from "../../../i18n/Said";
