@@ -30,26 +30,32 @@ TAKES_OVER_MS = 400_000
 """Chromium lets a service worker take over when the one before has nothing to do; after five minutes at the latest."""
 
 
-def the_first_mission_is_drawn_before_python_is_there_and_nothing_is_done_to_it(
-    page: Page, server: FileServer
-) -> Studio:
+def the_first_mission_is_edited_before_python_is_there_and_goes_on(page: Page, server: FileServer) -> Studio:
+    studio = Studio(page, Path(), [])
     server.gate.clear()
     try:
         page.goto(server.address)
         nodes = page.locator(".canvas-node")
         expect(nodes).to_have_count(19)
-        expect(page.get_by_test_id("site")).to_contain_text("KitRobot is coming")
-        expect(page.locator(".studio")).to_have_attribute("aria-busy", "true")
-        # No key and no click reaches it.
-        page.keyboard.press("Control+a")
-        page.keyboard.press("Delete")
-        assert page.locator(".middle").get_attribute("inert") is not None
+        expect(studio.at("site")).to_contain_text("You can build already")
+        studio.drop("Wait", "arc-start.next")
+        expect(nodes).to_have_count(20)
+        # The page is left before Python is there, and has it when it is opened again.
+        page.reload()
+        expect(nodes).to_have_count(20)
+        studio.drop("Wait", "arc-start.next")
+        expect(nodes).to_have_count(21)
+        page.keyboard.press("Control+z")
+        expect(nodes).to_have_count(20)
     finally:
         server.gate.set()
     page.wait_for_function(IS_OPEN)
-    expect(page.locator(".studio")).to_have_attribute("aria-busy", "false")
+    studio.expect_code("WAIT(10);")
+    expect(studio.at("saved-state")).to_have_text("not saved")
+    page.keyboard.press("Control+z")
     expect(nodes).to_have_count(19)
-    return Studio(page, Path(), [])
+    expect(studio.at("saved-state")).to_have_text("example")
+    return studio
 
 
 def a_mission_runs_is_edited_and_saved_under_a_name_of_its_own(studio: Studio) -> None:
@@ -115,9 +121,7 @@ def test_a_site_opens_a_link_keeps_what_is_saved_works_without_its_server_and_se
     server: FileServer, visit: Callable[..., Visit]
 ) -> None:
     made = visit()
-    studio = the_first_mission_is_drawn_before_python_is_there_and_nothing_is_done_to_it(
-        made.context.new_page(), server
-    )
+    studio = the_first_mission_is_edited_before_python_is_there_and_goes_on(made.context.new_page(), server)
     follow_link(studio, BLINK, "linked")
     studio.expect_code("WAIT(17);")
     a_mission_runs_is_edited_and_saved_under_a_name_of_its_own(studio)

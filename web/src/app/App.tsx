@@ -11,6 +11,7 @@ import { useStudio } from "../model/studio";
 import { checkAgain, keepChecking } from "../session/checking";
 import { hearOfDisk, watchDisk } from "../session/disk";
 import { useDocument } from "../session/document";
+import { hasEarlyWork } from "../session/early-work";
 import { flush, isKept, keepJournal } from "../session/journal";
 import { complainOfJournal, sayReturned, sayStranger, sayWhenBack } from "../session/journal-notices";
 import { useLayout } from "../session/layout";
@@ -86,7 +87,7 @@ function useDocumentFlow(): void {
   }, []);
   useEffect(() => {
     const ask = (event: BeforeUnloadEvent) => {
-      if (useStudio.getState().dirty && !isKept()) event.preventDefault();
+      if (useStudio.getState().dirty && !isKept() && !hasEarlyWork()) event.preventDefault();
       void flush();
     };
     // A browser may end a page that is not seen without a further word.
@@ -192,7 +193,7 @@ function Studio() {
         for (const { takeFiles } of FEATURES) takeFiles?.(files);
       }}
     >
-      <header className="head" inert={ahead}>
+      <header className="head">
         <div className="head-menu row">
           <Brand />
           <MenuBar menus={menus} />
@@ -203,7 +204,7 @@ function Studio() {
       </header>
       <Banner />
       <Slot name="banner" />
-      <div className="middle" inert={covered || ahead}>
+      <div className="middle" inert={covered}>
         {folded.palette ? null : (
           <nav className="parts-frame rigid" aria-label={t("app.parts")}>
             <div className="parts" style={{ width: sizes.palette }}>
@@ -237,7 +238,7 @@ function Studio() {
           </aside>
         ) : null}
       </div>
-      <footer className="bottom-bar row rigid" inert={covered || ahead}>
+      <footer className="bottom-bar row rigid" inert={covered}>
         <Slot name="bottom" />
       </footer>
       <Slot name="over-page" />

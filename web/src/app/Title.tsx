@@ -11,7 +11,7 @@ import { isFromRecording } from "../session/recordings";
 export function Title() {
   const file = useStudio((studio) => studio.file);
   const dirty = useStudio((studio) => studio.dirty);
-  const ready = useDocument((document) => document.ready);
+  const ready = useDocument(({ ready, ahead }) => ready || ahead);
   const others = useDisk((disk) => (disk.path === file.path ? disk.others : 0));
   const lost = useLink((link) => link.connected === false);
   const kept = useLink((link) => link.kept);

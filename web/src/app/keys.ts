@@ -29,7 +29,7 @@ export function keyMeaning(event: KeyboardEvent): (() => void) | null {
 export function useKeys(): void {
   useEffect(() => {
     const onKeyDown = (event: KeyboardEvent) => {
-      if (event.defaultPrevented || useDocument.getState().ahead) return;
+      if (event.defaultPrevented) return;
       const meaning = keyMeaning(event);
       if (meaning === null) return;
       event.preventDefault();

@@ -2,6 +2,7 @@
 export const SITE_EN = {
   "site.fetching": "KitRobot is coming: {percent} %",
   "site.starting": "KitRobot is starting …",
+  "site.meanwhile": "You can build already; text, checks and runs come with it.",
   "site.other-tab": "KitRobot is open in another tab of this browser.",
   "site.other-tab-help": "Close that tab, and this one goes on by itself.",
   "site.unfetched": "A part of KitRobot could not be fetched.",

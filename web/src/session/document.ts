@@ -36,7 +36,7 @@ interface DocumentState {
   session: Session | null;
   /** False until the first mission is there. */
   ready: boolean;
-  /** Whether a mission is drawn that is still on its way: it can be looked at, and nothing is done to it. */
+  /** Whether the mission is drawn and edited before the studio is there: what the studio does waits until then. */
   ahead: boolean;
   saving: boolean;
   /** Whether another mission is on its way. */
@@ -86,7 +86,7 @@ export function startSession(session: Session): void {
   set({ session });
 }
 
-/** A mission is drawn that is still on its way. */
+/** A mission is drawn before the studio is there. */
 export function drawnAhead(): void {
   set({ ahead: true });
 }
@@ -102,8 +102,8 @@ export function setSaving(saving: boolean): void {
 
 /** Once the page's own first mission is there: what opens or runs before would be taken for that. */
 export function whenReady(): Promise<void> {
+  if (useDocument.getState().ready) return Promise.resolve();
   return new Promise((resolve) => {
-    if (useDocument.getState().ready) resolve();
     const off = useDocument.subscribe(({ ready }) => {
       if (!ready) return;
       off();
@@ -115,6 +115,11 @@ export function whenReady(): Promise<void> {
 /** A mission is there; what was said and shown of the one before goes. */
 export function missionOpened(fileProblems: Problem[]): void {
   set({ ready: true, ahead: false, banner: null, overlay: null, fileProblems });
+}
+
+/** The mission that was drawn before the studio was there is the open one; what is shown around it stays. */
+export function drawnMissionOpened(fileProblems: Problem[]): void {
+  set({ ready: true, ahead: false, fileProblems });
 }
 
 export function missionSaved(): void {

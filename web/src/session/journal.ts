@@ -137,6 +137,13 @@ class Journal {
     if (begin !== null || this.#sent > 0) this.#sendAll();
   }
 
+  /** The mission that was open before the claim stays open: the journal is written from what was done to it meanwhile. */
+  keepOpen(): void {
+    this.#opening = false;
+    this.#sendAll();
+    void this.flush();
+  }
+
   #hello(): Promise<void> {
     return new Promise((resolve) => {
       const late = setTimeout(resolve, HELLO_WITHIN_MS);
@@ -276,6 +283,11 @@ export async function claim(path: string, wanted = ""): Promise<ClaimedJournal |
 /** A mission is opened next; where it has a history already the journal is written anew from it. */
 export function openWith(begin: History | null): void {
   current?.openWith(begin);
+}
+
+/** The mission that was open before the claim stays open: the journal is written from what was done to it meanwhile. */
+export function keepOpen(): void {
+  current?.keepOpen();
 }
 
 /** Sends what waits. Resolves when it is on disk, or cannot be. */

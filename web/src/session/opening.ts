@@ -4,11 +4,21 @@ import { create } from "zustand";
 import { api } from "../api/client";
 import type { ClaimedJournal, Recording } from "../api/generated";
 import { t } from "../i18n/words";
-import { isUnsaved } from "../model/history";
+import { type History, isUnsaved } from "../model/history";
 import { useStudio } from "../model/studio";
 import type { MissionFile } from "../model/types";
-import { complain, drawnAhead, fileName, missionOpened, question, setOpening, useDocument } from "./document";
-import { claim, openWith } from "./journal";
+import {
+  complain,
+  drawnAhead,
+  drawnMissionOpened,
+  fileName,
+  missionOpened,
+  question,
+  setOpening,
+  useDocument,
+} from "./document";
+import { earlyWorkOn } from "./early-work";
+import { claim, keepOpen, openWith } from "./journal";
 import { recover } from "./journal-records";
 import { begin as play } from "./recordings";
 import { useRun } from "./run";
@@ -19,17 +29,39 @@ export async function take(file: MissionFile, journal = ""): Promise<void> {
   resume(file, await claim(file.path, journal));
 }
 
-/** Draws the mission that will be open, where there is none yet: what follows from opening it comes with `take`. */
-export function drawAhead(file: MissionFile): void {
+/**
+ * Draws the mission that will be open, with what was done to it earlier, where there is none yet: what follows from opening it
+ * comes with `take`.
+ */
+export function drawAhead(file: MissionFile, history?: History): void {
   if (useDocument.getState().ready) return;
-  useStudio.getState().openMission(file);
+  useStudio.getState().openMission(file, history);
   holdParts(file.parts ?? "");
   drawnAhead();
 }
 
+/** Whether a mission is the one that was drawn ahead, and stays as it is now: nothing newer is known of it. */
+function staysDrawn({ path, revision }: MissionFile, claimed: ClaimedJournal | null): boolean {
+  const { file, canUndo, canRedo } = useStudio.getState();
+  const same = useDocument.getState().ahead && file.path === path && file.revision === revision;
+  return same && (canUndo || canRedo || recover(claimed?.records ?? []) === null);
+}
+
+/** The mission that was drawn ahead becomes the open one: what is selected, dragged or typed there goes on. */
+function openDrawn(file: MissionFile): void {
+  keepOpen();
+  useStudio.getState().loadParts(file.catalogue);
+  holdParts(file.parts ?? "");
+  drawnMissionOpened(file.problems);
+}
+
 /** Opens a mission with what its journal holds, as far as that is still of use. */
 function resume(file: MissionFile, claimed: ClaimedJournal | null): void {
-  const found = recover(claimed?.records ?? []);
+  if (staysDrawn(file, claimed)) {
+    openDrawn(file);
+    return;
+  }
+  const found = recover(claimed?.records ?? []) ?? earlyWorkOn(file);
   const unsaved = found !== null && isUnsaved(found.history);
   const back = found !== null && (unsaved || found.revision === file.revision) ? found : null;
   openWith(back?.history ?? null);

@@ -6,7 +6,7 @@ import type { Saved } from "../api/generated";
 import { t } from "../i18n/words";
 import { useStudio } from "../model/studio";
 import type { Mission } from "../model/types";
-import { complain, fileName, missionSaved, question, setSaving, show } from "./document";
+import { complain, fileName, missionSaved, question, setSaving, show, whenReady } from "./document";
 import { loadFromDisk } from "./opening";
 import { revisionMerged } from "./merges";
 import { isFromRecording } from "./recordings";
@@ -73,8 +73,9 @@ export async function write(path: string, revision: string): Promise<boolean> {
 }
 
 async function writeNow(path: string, revision: string): Promise<boolean> {
-  const { mission, file } = useStudio.getState();
   setSaving(true);
+  await whenReady();
+  const { mission, file } = useStudio.getState();
   try {
     return written(await api.saveMission(path, revision, mission), mission, file);
   } catch (cause) {
@@ -118,6 +119,7 @@ export function showDifference(again: () => void, of: PartDifference | null = nu
 
 /** A new name inside the workspace: null when saved, else the revision of the file that is already there. */
 export async function saveAs(path: string, over: string): Promise<{ taken: string } | null> {
+  await whenReady();
   const { mission, file } = useStudio.getState();
   try {
     written(await api.saveMission(path, over, mission), mission, file);

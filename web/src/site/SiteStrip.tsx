@@ -1,6 +1,7 @@
 /** One line about the studio of a static site: that it is coming, what keeps it away, and whether the browser keeps the work. */
 import { useLanguage } from "../i18n/language";
 import { type Key, t } from "../i18n/words";
+import { useDocument } from "../session/document";
 import { useRun } from "../session/run";
 import { Icon } from "../theme";
 import { useSite } from "./state";
@@ -24,17 +25,18 @@ const CROWD = 100;
 function useTold(): Told | null {
   const crowd = useRun(({ status, agents }) => status === "running" && agents.length >= CROWD);
   const { phase, fetched, keeping, renew, renewing } = useSite();
+  const meanwhile = useDocument(({ ahead }) => ahead) ? "site.meanwhile" : null;
   switch (phase) {
     case "fetching":
       return {
         kind: "note",
         message: t("site.fetching", { percent: Math.floor(PERCENT * fetched) }),
-        help: null,
+        help: meanwhile,
         action: null,
         share: fetched,
       };
     case "starting":
-      return { kind: "note", message: t("site.starting"), help: null, action: null, share: 1 };
+      return { kind: "note", message: t("site.starting"), help: meanwhile, action: null, share: 1 };
     case "other-tab":
       return { kind: "note", message: t("site.other-tab"), help: "site.other-tab-help", action: null };
     case "unfetched":

@@ -48,18 +48,34 @@ test("is drawn in a browser in which nothing was done yet, also when the page is
   expect(isDrawn()).toBe(true);
 });
 
+const change = (world: string) =>
+  useStudio.getState().execute({ label: "world", execute: (mission) => ({ ...mission, world }) });
+
 test.each([
   ["another mission was opened", () => useStudio.getState().openMission(file("mine.krt"))],
-  [
-    "it was changed",
-    () => useStudio.getState().execute({ label: "world", execute: (mission) => ({ ...mission, world: "other" }) }),
-  ],
-])("is not drawn once %s", async (_, act) => {
+  ["it was changed", () => change("other")],
+])("is not drawn once Python was there and %s", async (_, act) => {
   await drawFirst(BASE);
+  useDocument.setState({ ready: true, ahead: false });
   act();
   useDocument.setState({ ready: false, ahead: false });
   await drawFirst(BASE);
   expect(isDrawn()).toBe(false);
+});
+
+test("is drawn as it was changed, until Python has it", async () => {
+  await drawFirst(BASE);
+  change("other");
+  useDocument.setState({ ready: false, ahead: false });
+  await drawFirst(BASE);
+  expect([isDrawn(), useStudio.getState().mission.world]).toEqual([true, "other"]);
+  // A link leads elsewhere meanwhile, and takes nothing away.
+  window.history.replaceState(null, "", "/#mission=abc&name=x");
+  useDocument.setState({ ready: false, ahead: false });
+  await drawFirst(BASE);
+  window.history.replaceState(null, "", "/");
+  await drawFirst(BASE);
+  expect([isDrawn(), useStudio.getState().mission.world]).toEqual([true, "other"]);
 });
 
 test.each(["/#mission=abc&name=x", "/?open=mine.krt"])("is not drawn at %s, and not later", async (address) => {

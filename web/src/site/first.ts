@@ -1,11 +1,13 @@
 /**
- * The mission that a new studio begins with, drawn before Python is there: `kitrobot site` writes the answer that Python will
- * give into the folder. That is true only as long as nothing else was ever done in this browser.
+ * The mission that a new studio begins with, drawn and edited before Python is there: `kitrobot site` writes the answer that
+ * Python will give into the folder. That is true only as long as nothing was ever done in this browser that Python knows.
  */
 import { pageRole } from "../api/token";
 import { languageInUse } from "../i18n/words";
 import { useStudio } from "../model/studio";
 import type { MissionFile } from "../model/types";
+import { useDocument } from "../session/document";
+import { earlyWorkOn, hasEarlyWork, keepEarlyWork } from "../session/early-work";
 import { drawAhead } from "../session/opening";
 
 /** Stands in the browser once something else was done. */
@@ -22,7 +24,8 @@ function isOver(): boolean {
 
 function rememberOver(): void {
   try {
-    localStorage.setItem(OVER, "yes");
+    // Early work is on the first mission: until Python has it, that one comes back.
+    if (!hasEarlyWork()) localStorage.setItem(OVER, "yes");
   } catch {
     // As above.
   }
@@ -42,7 +45,8 @@ export async function drawFirst(base: string): Promise<void> {
   }
   let path: string | null = null;
   const end = useStudio.subscribe(({ change, file, dirty }, before) => {
-    if (change === before.change || (change.kind === "open" && !dirty && (path === null || file.path === path))) return;
+    const same = change.kind === "open" && !dirty && (path === null || file.path === path);
+    if (change === before.change || same || useDocument.getState().ahead) return;
     rememberOver();
     end();
   });
@@ -50,5 +54,6 @@ export async function drawFirst(base: string): Promise<void> {
   if (!response?.ok) return;
   const file = (await response.json()) as MissionFile;
   path = file.path;
-  drawAhead(file);
+  drawAhead(file, earlyWorkOn(file)?.history);
+  keepEarlyWork(rememberOver);
 }

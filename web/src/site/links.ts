@@ -2,7 +2,7 @@
 import { api, ApiError } from "../api/client";
 import { t } from "../i18n/words";
 import { useStudio } from "../model/studio";
-import { complain, fileName, question, useDocument } from "../session/document";
+import { complain, fileName, question, whenReady } from "../session/document";
 import type { Feature } from "../session/features";
 import { openFromComputer } from "../session/open-requests";
 import { menuItem } from "../ui/menu-model";
@@ -48,18 +48,6 @@ function forgetOnceChanged(name: string): void {
       end();
       forget();
     }
-  });
-}
-
-/** Once the first mission is there. */
-function whenReady(): Promise<void> {
-  return new Promise((resolve) => {
-    if (useDocument.getState().ready) resolve();
-    const end = useDocument.subscribe(({ ready }) => {
-      if (!ready) return;
-      end();
-      resolve();
-    });
   });
 }
 
