@@ -82,3 +82,14 @@ def test_a_summary_has_an_interval_for_each_measure_of_each_point_and_comparison
         study.compare("fail-rate")
     with pytest.raises(KitRobotError, match="no row of the study has the measure"):
         study.compare(study.plan.addresses[0], "sconds")
+
+
+def test_a_comparison_says_how_much_more_the_other_value_gives():
+    pytest.importorskip("kitrobot.experiments.statistics.means")
+    opened = short_mission()
+    address = speed_address(opened)
+    study = kitrobot.sweep(opened, vary={address: [30, 60]}, seeds=range(1, 4), measures=["distance"])
+    slow, fast = ([row.measures["distance"] for row in study.rows if row.point[address] == speed] for speed in (30, 60))
+    (found,) = study.compare(address)
+    assert found.interval.low > 0
+    assert found.interval.estimate == pytest.approx((sum(fast) - sum(slow)) / 3)

@@ -126,7 +126,7 @@ def compare(study: StudyRows, address: str, measure: str, confidence: float = US
         pairs.append(([found[first][key] for key in both], [found[other][key] for key in both]))
     p_values = holm([paired_test(ours, theirs) for ours, theirs in pairs])
     return [
-        Comparison(measure, first, other, len(ours), paired_difference(theirs, ours, confidence), p_value)
+        Comparison(measure, first, other, len(ours), paired_difference(ours, theirs, confidence), p_value)
         for other, (ours, theirs), p_value in zip(others, pairs, p_values, strict=True)
     ]
 
