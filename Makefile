@@ -74,9 +74,10 @@ docs: install ## build the site of the documents into build/docs; a warning fail
 bench: install ## measure, each subject beside its peer
 	$(PY) -m benchmarks
 
-pictures: install page ## take the pictures in docs/pictures from the running studio and from fail sweeps
+pictures: install page ## take the pictures in docs/pictures: of the running studio, of fail sweeps, of the worked study
 	KITROBOT_PICTURES=1 $(BIN)/pytest -q tests/studio/test_pictures.py
 	$(PY) -m tools.sweep_maps
+	$(PY) -m tools.worked_study
 
 gallery: install page ## run every gallery mission in the studio and write docs/gallery-runs.md
 	KITROBOT_GALLERY=1 $(BIN)/pytest -n0 -q tests/studio/test_gallery_runs.py

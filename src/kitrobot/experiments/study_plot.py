@@ -50,8 +50,14 @@ def _draw_curve(axes: Any, found: Sequence[PointSummary], at: int, name: str) ->
     places: list[Value] = [one.point[name] if name else "" for one, _ in known]
     if any(isinstance(place, str) for place in places):
         places = [str(place) for place in places]
+    else:
+        # A curve goes from left to right, in whatever order its values were given.
+        known.sort(key=lambda one: one[0].point[name])
+        places.sort()
     bars = [[_reach(cell)[side] for _, cell in known] for side in (0, 1)]
     axes.errorbar(places, [cell.mean for _, cell in known], yerr=bars, fmt="o-", capsize=4)
+    if all(isinstance(place, int) for place in places):
+        axes.xaxis.get_major_locator().set_params(integer=True)
     axes.set_xlabel(name)
 
 
