@@ -201,6 +201,7 @@ def at_other_places() -> bytes:
         (uf2(binary(FileStorage(FLASH + 0xA0000, 0x7FFFF000))), "does not know where"),
         (two_chips(), "does not know where"),
         (at_other_places(), "does not know where"),
+        (uf2(binary() + b"\x09\x04\x02\x00\x02\x08\x06\x50\x05"), "shows its files as a drive"),
         (uf2(binary(FileStorage(FLASH + 0x5000, 0x10000))), "brings files of its own along"),
         (made_of().data, "brings files of its own along"),
     ],

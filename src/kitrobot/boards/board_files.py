@@ -4,23 +4,28 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path, PurePath
+from typing import Final, Literal
 
 from kitrobot.boards.sent_programs import store_sent_program
 from kitrobot.deploy.errors import BoardError
 from kitrobot.deploy.firmware.requirements import EVERYWHERE
-from kitrobot.deploy.firmware.uf2 import SUFFIX, Firmware, read_firmware
+from kitrobot.deploy.firmware.uf2 import Firmware, read_firmware
+from kitrobot.deploy.line.receiver import MICROBIT
 from kitrobot.deploy.microbit_hex.board_hex import BOARD_NAMES, make_board_hex
-from kitrobot.deploy.uf2_image.board_uf2 import make_board_uf2
+from kitrobot.deploy.uf2_image.board_uf2 import MEMORY, make_board_uf2
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.diagnostics.read_files import expect_output
 from kitrobot.files.disk import read_bytes, write_atomic
 from kitrobot.files.embedded_mission import FOR_BOARDS, carried_mission
 from kitrobot.files.examples import find_mission
 from kitrobot.files.program_formats import Form
+from kitrobot.primitives.kit import Kit
 from kitrobot.robots.program import BoardProgram
 from kitrobot.text.sentences import COMMA, Sentence, Series
 
-HEX = ".hex"
+Ending = Literal[".hex", ".uf2"]
+HEX: Final = ".hex"
+UF2: Final = ".uf2"
 
 
 class BoardFileError(KitRobotError):
@@ -39,7 +44,7 @@ class BoardFile:
     """
 
     data: bytes
-    ending: str
+    ending: Ending
     boards: Series
     steps: Sentence
     reasons: tuple[tuple[Sentence, BoardError], ...] = ()
@@ -74,7 +79,7 @@ def _uf2(program: BoardProgram, mission: bytes, firmware: Firmware) -> BoardFile
     made = make_board_uf2(program.file, program.package, firmware, program.needs, mission)
     return BoardFile(
         made.data,
-        SUFFIX,
+        UF2,
         Series(COMMA, [Sentence("the board of `{file}` ({chip})", firmware.name, made.chip)]),
         Sentence(
             "Hold the button BOOTSEL while you plug the board in, and copy the file onto the drive that appears: the "
@@ -82,6 +87,13 @@ def _uf2(program: BoardProgram, mission: bytes, firmware: Firmware) -> BoardFile
             made.micropython,
         ),
     )
+
+
+def file_of_kit(kit: Kit) -> Ending | Literal[""]:
+    """The ending of the file that the board of a kit takes from its drive, "" where it takes none that is known."""
+    if kit.family == MICROBIT:
+        return HEX
+    return UF2 if kit.chip.upper() in MEMORY else ""
 
 
 def save_board_file(program: BoardProgram, source: Path, target: Path, firmware: Path | None = None) -> BoardFile:
@@ -119,7 +131,7 @@ def expect_board_file(target: Path) -> None:
 
 
 def _expected_firmware(program: BoardProgram, target: Path, firmware: Path | None) -> Firmware | None:
-    is_uf2 = target.suffix.lower() == SUFFIX
+    is_uf2 = target.suffix.lower() == UF2
     if firmware is None:
         if not is_uf2:
             return None

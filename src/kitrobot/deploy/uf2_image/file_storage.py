@@ -2,12 +2,14 @@
 
 Near its beginning a firmware has a header with the addresses of a table; that has the addresses of records. One of
 them is MicroPython's own and says where the block device of its files is, so no list of boards is needed. Records that
-lie in memory while it runs are found through the table of what is copied there. Source: `pico/binary_info` of the Pico
-SDK, and `ports/rp2/rp2_flash.c` of MicroPython.
+lie in memory while it runs are found through the table of what is copied there. A MicroPython that shows its files as a
+drive has them in FAT, and others in littlefs; its description for USB says that it does. Source: `pico/binary_info` of
+the Pico SDK, and `ports/rp2/rp2_flash.c` and `main.c` of MicroPython.
 """
 
 from __future__ import annotations
 
+import re
 import struct
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -33,6 +35,8 @@ _MARKS = 0x7188EBF2, 0xE71AA390
 _MOST_RECORDS = 4096
 _BLOCK_DEVICE = struct.Struct("<2H3I")
 _IS_BLOCK_DEVICE, _OF_MICROPYTHON = 7, int.from_bytes(b"MP", "little")
+_USB_DRIVE = re.compile(rb"\x09\x04.\x00\x02\x08\x06\x50", re.DOTALL)
+"""The interface of a drive in a description for USB: two endpoints, mass storage, SCSI, bulk only."""
 
 
 @dataclass(frozen=True)
@@ -113,11 +117,18 @@ def storage_of(firmware: Firmware, content: FlashContent) -> FileStorage:
             continue
         aligned = start % SECTOR == 0 and size % SECTOR == 0 and size >= _SMALLEST_SECTORS * SECTOR
         if aligned and start >= FLASH and start + size <= FLASH + _LARGEST_FLASH:
-            return _free_of(firmware, content, FileStorage(start, size))
+            storage = FileStorage(start, size)
+            _refuse_other_files(firmware, content, storage)
+            return storage
     raise unknown_firmware(firmware)
 
 
-def _free_of(firmware: Firmware, content: FlashContent, storage: FileStorage) -> FileStorage:
+def _refuse_other_files(firmware: Firmware, content: FlashContent, storage: FileStorage) -> None:
+    if _USB_DRIVE.search(b"".join(content.pages[at] for at in sorted(content.pages))):
+        raise FirmwareError(
+            Sentence("the firmware `{file}` shows its files as a drive, and has them in another form", firmware.name),
+            Sentence("send the program over a cable, or take a MicroPython for the board from {href}", EVERYWHERE),
+        )
     if any(storage.start <= at < storage.start + storage.size for at in content.pages):
         raise FirmwareError(
             Sentence(
@@ -125,7 +136,6 @@ def _free_of(firmware: Firmware, content: FlashContent, storage: FileStorage) ->
             ),
             Sentence("name the MicroPython alone, as it was fetched from its maker"),
         )
-    return storage
 
 
 def _records(content: FlashContent) -> list[int]:
