@@ -79,8 +79,17 @@ def mounted(flash: bytes, storage: FileStorage = PICO) -> LittleFS:
     """The files as a MicroPython takes them: `ports/rp2/modules/_boot.py`, the one of 1.20."""
     context = UserContext(storage.size)
     context.buffer[:] = flash[storage.start - FLASH : storage.start - FLASH + storage.size]
-    sizes = {"read_size": 32, "prog_size": 256, "lookahead_size": 32, "cache_size": 1024, "block_cycles": 100}
-    return LittleFS(context, block_size=SECTOR, block_count=storage.sectors, disk_version=0x00020000, **sizes)
+    return LittleFS(
+        context,
+        block_size=SECTOR,
+        block_count=storage.sectors,
+        read_size=32,
+        prog_size=256,
+        lookahead_size=32,
+        cache_size=1024,
+        block_cycles=100,
+        disk_version=0x00020000,
+    )
 
 
 def files_of(mount: LittleFS) -> dict[str, bytes]:

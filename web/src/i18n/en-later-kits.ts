@@ -23,7 +23,8 @@ export const KITS_EN = {
   "board-file.about":
     "The file for {kit} brings MicroPython along. Fetch the `.uf2` file for your board from its maker, and choose it here; this page remembers it until you close it.",
   "board-file.kept": "`{name}` comes along.",
-  "board-file.other": "Another file",
+  "board-file.choose": "Choose the file…",
+  "board-file.other": "Another file…",
   "board-file.save": "Save the file for the board",
   "board-file.saving": "Saving…",
   "kits.lacks": "Lacks: {parts}",

@@ -1,12 +1,11 @@
 /** Asks for the MicroPython that comes along in a file for a board's drive; one that was chosen before is offered again. */
-import { useState } from "react";
+import { useRef, useState } from "react";
 
 import { ApiError } from "../../api/client";
 import type { KitEntry } from "../../api/generated";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { text } from "../../model/texts";
-import { Row } from "../../ui/Row";
 import { Sheet } from "../../ui/Sheet";
 import { chooseFirmware, dropFirmwareQuestion, saveWithFirmware, useFirmwareQuestion } from "./board-file";
 import { Act, TroubleBox } from "./parts";
@@ -19,6 +18,7 @@ export function BoardFileSheet() {
 function Question({ kit, file }: { kit: KitEntry; file: File | null }) {
   const [wrong, setWrong] = useState<{ message: string; help: string } | null>(null);
   const [busy, setBusy] = useState(false);
+  const chooser = useRef<HTMLInputElement>(null);
   const fail = (cause: unknown) => setWrong(cause instanceof ApiError ? cause : { message: String(cause), help: "" });
   const save = () => {
     if (file === null) return;
@@ -44,23 +44,31 @@ function Question({ kit, file }: { kit: KitEntry; file: File | null }) {
             <Said text={t("board-file.kept", { name: file.name })} />
           </p>
         )}
-        <Row label={t(file === null ? "firmware.file" : "board-file.other")} className="robot-program muted">
-          <input
-            type="file"
-            accept=".uf2"
-            data-testid="board-file-firmware"
-            disabled={busy}
-            onChange={(event) => {
-              const chosen = event.target.files?.[0];
-              if (chosen === undefined) return;
-              setWrong(null);
-              chooseFirmware(chosen);
-            }}
-          />
-        </Row>
         {wrong === null ? null : <TroubleBox said={wrong} testId="board-file-trouble" />}
       </div>
       <div className="robot-acts row wrap">
+        <input
+          ref={chooser}
+          className="only-spoken"
+          type="file"
+          accept=".uf2"
+          tabIndex={-1}
+          aria-hidden="true"
+          data-testid="board-file-firmware"
+          onChange={(event) => {
+            const chosen = event.target.files?.[0];
+            if (chosen === undefined) return;
+            setWrong(null);
+            chooseFirmware(chosen);
+          }}
+        />
+        <Act
+          icon="upload"
+          label={t(file === null ? "board-file.choose" : "board-file.other")}
+          testId="board-file-choose"
+          disabled={busy}
+          onPress={() => chooser.current?.click()}
+        />
         <Act
           ink
           icon="folder-down"
