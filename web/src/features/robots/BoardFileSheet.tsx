@@ -45,38 +45,38 @@ function Question({ kit, file }: { kit: KitEntry; file: File | null }) {
           </p>
         )}
         {wrong === null ? null : <TroubleBox said={wrong} testId="board-file-trouble" />}
-      </div>
-      <div className="robot-acts row wrap">
-        <input
-          ref={chooser}
-          className="only-spoken"
-          type="file"
-          accept=".uf2"
-          tabIndex={-1}
-          aria-hidden="true"
-          data-testid="board-file-firmware"
-          onChange={(event) => {
-            const chosen = event.target.files?.[0];
-            if (chosen === undefined) return;
-            setWrong(null);
-            chooseFirmware(chosen);
-          }}
-        />
-        <Act
-          icon="upload"
-          label={t(file === null ? "board-file.choose" : "board-file.other")}
-          testId="board-file-choose"
-          disabled={busy}
-          onPress={() => chooser.current?.click()}
-        />
-        <Act
-          ink
-          icon="folder-down"
-          label={t(busy ? "board-file.saving" : "board-file.save")}
-          testId="board-file-save"
-          disabled={busy || file === null}
-          onPress={save}
-        />
+        <div className="robot-acts row wrap">
+          <input
+            ref={chooser}
+            className="only-spoken"
+            type="file"
+            accept=".uf2"
+            tabIndex={-1}
+            aria-hidden="true"
+            data-testid="board-file-firmware"
+            onChange={(event) => {
+              const chosen = event.target.files?.[0];
+              if (chosen === undefined) return;
+              setWrong(null);
+              chooseFirmware(chosen);
+            }}
+          />
+          <Act
+            icon="upload"
+            label={t(file === null ? "board-file.choose" : "board-file.other")}
+            testId="board-file-choose"
+            disabled={busy}
+            onPress={() => chooser.current?.click()}
+          />
+          <Act
+            ink
+            icon="folder-down"
+            label={t(busy ? "board-file.saving" : "board-file.save")}
+            testId="board-file-save"
+            disabled={busy || file === null}
+            onPress={save}
+          />
+        </div>
       </div>
     </Sheet>
   );
