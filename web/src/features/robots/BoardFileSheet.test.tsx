@@ -57,7 +57,7 @@ test("a file is chosen once, comes along whole, and is offered again", async () 
   expect(hands.has("board-file")).toBe(false);
   page.act(() => useFirmwareQuestion.setState({ kit: PICO }));
   expect(hands.find("board-file").querySelector("a")?.href).toBe("https://example.org/pico");
-  expect((hands.find("board-file-save") as HTMLButtonElement).disabled).toBe(true);
+  expect(hands.find<HTMLButtonElement>("board-file-save").disabled).toBe(true);
   choose(FIRMWARE);
   await save();
   expect(hands.has("board-file")).toBe(false);
@@ -68,7 +68,7 @@ test("a file is chosen once, comes along whole, and is offered again", async () 
   expect(useDocument.getState().banner?.help).toBe("Hold BOOTSEL.");
   page.act(() => useFirmwareQuestion.setState({ kit: PICO }));
   expect(hands.find("board-file-kept").textContent).toBe("RPI_PICO.uf2 comes along.");
-  expect((hands.find("board-file-save") as HTMLButtonElement).disabled).toBe(false);
+  expect(hands.find<HTMLButtonElement>("board-file-save").disabled).toBe(false);
 });
 
 test("one that cannot be used says why, and another one can be chosen", async () => {
