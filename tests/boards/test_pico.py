@@ -14,9 +14,11 @@ import pytest
 import serial
 
 from kitrobot.boards.programs import load_board_program
+from kitrobot.deploy.firmware.uf2 import read_firmware
 from kitrobot.deploy.installation.deployment import deploy
 from kitrobot.deploy.line.handshake import connect
 from kitrobot.deploy.line.news import News
+from kitrobot.deploy.uf2_image.board_uf2 import make_board_uf2
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.primitives.catalogue import load_catalogue
 from kitrobot.robots.program import BoardProgram
@@ -216,3 +218,18 @@ def test_a_deploy_to_a_pico_that_is_cut_leaves_what_was_there(board: Pico, tmp_p
     with connect(board.address, PATIENCE_S) as link:
         assert old.is_called(link.hello.program) or new.is_called(link.hello.program)
     assert new.is_called(deploy(board.address, new.file.to_bytes(), new.package).program)
+
+
+@pytest.mark.pico
+@pytest.mark.timeout(3000)
+def test_a_file_for_its_drive_starts_by_itself_and_sending_finds_all_of_it_there(tmp_path: Path) -> None:
+    found = pico.find()
+    assert found is not None, pico.LEFT_OUT
+    made = program(tmp_path, "LeftWheel.Forward(50); RightWheel.Forward(20); WAIT(600);", "pico")
+    file = make_board_uf2(made.file, made.package, read_firmware(found.firmware), made.needs)
+    (tmp_path / "drive.uf2").write_bytes(file.data)
+    with Pico(tmp_path / "drive.uf2", found.bootrom) as board, board.on_its_clock():
+        with connect(board.address, PATIENCE_S) as link:
+            assert (link.hello.state_name, link.hello.generation) == ("running", 1)
+        sent = deploy(board.address, made.file.to_bytes(), made.package)
+        assert (sent.sent_files, sent.generation) == ((), 1)

@@ -143,7 +143,7 @@ def damaged(data: bytes) -> bytes:
         (lambda data: b":", "its line 1 is not whole"),
         (lambda data: b"", "is empty"),
         (lambda data: b"PK\x03\x04", "ZIP"),
-        (lambda data: b"hello", "not the hex file that its name promises"),
+        (lambda data: b"hello", "not the file for a board that its name promises"),
     ],
 )
 def test_a_hex_file_of_others_or_a_damaged_one_is_refused(heart: BoardHex, change, said: str) -> None:

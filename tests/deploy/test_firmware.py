@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import struct
 from collections.abc import Callable
 from pathlib import Path
 
@@ -11,8 +10,6 @@ import pytest
 from kitrobot.deploy.errors import BoardError, FirmwareError
 from kitrobot.deploy.firmware.requirements import FirmwareRequirements
 from kitrobot.deploy.firmware.uf2 import (
-    BLOCK,
-    LARGEST_BYTES,
     Drive,
     FlashError,
     chosen_drive,
@@ -21,18 +18,10 @@ from kitrobot.deploy.firmware.uf2 import (
     flash,
     read_firmware,
 )
+from kitrobot.files.uf2_file import BLOCK, LARGEST_BYTES
+from tests.deploy.uf2_firmware import ABSOLUTE, RP2040, RP2350, block
 
-RP2040, RP2350, ABSOLUTE = 0xE48BFF56, 0xE48BFF59, 0xE48BFF57
 INFO = "UF2 Bootloader v3.0\nModel: Raspberry Pi RP2\nBoard-ID: RPI-RP2\n"
-
-
-def block(place: int, count: int, payload: bytes = b"", family: int = RP2040, size: int | None = None) -> bytes:
-    head = struct.pack(
-        "<8I",
-        *(0x0A324655, 0x9E5D5157, 0x2000, 0x10000000 + 256 * place),
-        *(len(payload) if size is None else size, place, count, family),
-    )
-    return head + payload.ljust(476, b"\0") + struct.pack("<I", 0x0AB16F30)
 
 
 def whole(family: int = RP2040, text: bytes = b"MicroPython v1.27.0 on 2026-01-01") -> bytes:

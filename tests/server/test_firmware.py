@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 
 from kitrobot.deploy.firmware import uf2
-from tests.deploy.test_firmware import INFO, RP2350, whole
+from tests.deploy.test_firmware import INFO, whole
+from tests.deploy.uf2_firmware import RP2350
 from tests.server.conftest import HOST, TOKEN, TestClient
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from base64 import b64decode
+from base64 import b64decode, b64encode
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +10,7 @@ import pytest
 
 from kitrobot.image.listing import assemble
 from kitrobot.image.model import Image
+from tests.deploy.uf2_firmware import binary, uf2
 from tests.files.test_embedded_mission import pdf
 from tests.server.conftest import SHORT, TestClient
 
@@ -50,18 +51,37 @@ def test_a_program_that_is_not_there_says_so(page: TestClient, mission: dict[str
     assert ask(page, mission, "other").status_code == 422
 
 
-def save(page: TestClient, path: str, program: str, kit: str) -> Any:
+def save(page: TestClient, path: str, program: str, kit: str, firmware: bytes = b"") -> Any:
     opened = page.get("/api/mission", params={"path": path}).json()["mission"]
-    return page.post("/api/board-file", json={"mission": opened, "path": "", "program": program, "kit": kit})
+    wanted = {"mission": opened, "path": "", "program": program, "kit": kit, "firmware_name": "RPI_PICO.uf2"}
+    return page.post("/api/board-file", json={**wanted, "firmware": b64encode(firmware).decode()})
 
 
 def test_a_file_for_a_board_is_for_both_micro_bits_and_opens_as_its_mission(page: TestClient) -> None:
     made = save(page, "example:heart/heart.krt", "heart", "microbit").json()
-    assert (made["boards"], made["reasons"]) == ("the micro:bit of 2016, the micro:bit V2", [])
+    assert (made["boards"], made["ending"], made["reasons"]) == ("the micro:bit of 2016, the micro:bit V2", ".hex", [])
     data = b64decode(made["file"], validate=True)
     opened = page.post("/api/mission/read", params={"name": "heart.hex"}, content=data).json()
     assert (opened["path"], opened["name"]) == ("", "heart.krt")
     assert [program["name"] for program in opened["mission"]["programs"]] == ["heart"]
+
+
+def test_a_file_for_a_pico_has_the_firmware_that_came_along_and_opens_as_its_mission(page: TestClient) -> None:
+    kits = {kit["name"]: kit["file"] for kit in page.get("/api/kits", params={"path": ""}).json()}
+    found = [kits[name] for name in ("pico", "xrp", "cutebot", "esp32", "alvik")]
+    assert found == [".uf2", ".uf2", ".hex", "", ""]
+    made = save(page, "example:square/square.krt", "square", "pico", uf2(binary())).json()
+    assert (made["boards"], made["ending"]) == ("the board of `RPI_PICO.uf2` (RP2040)", ".uf2")
+    assert made["steps"].startswith("Hold the button BOOTSEL while you plug the board in")
+    data = b64decode(made["file"], validate=True)
+    opened = page.post("/api/mission/read", params={"name": "square.uf2"}, content=data).json()
+    assert [program["name"] for program in opened["mission"]["programs"]] == ["square"]
+    refused = save(page, "example:square/square.krt", "square", "xrp", uf2(binary()))
+    assert refused.json()["message"] == "The firmware `RPI_PICO.uf2` is for RP2040, and the kit `xrp` has RP2350."
+    cut = save(page, "example:square/square.krt", "square", "pico", uf2(binary())[:-1])
+    assert (cut.status_code, "it is cut off in its block" in cut.json()["message"]) == (422, True)
+    others = page.post("/api/mission/read", params={"name": "RPI_PICO.uf2"}, content=uf2(binary()))
+    assert others.json()["message"] == "`RPI_PICO.uf2` is a file for a board without a mission of KitRobot inside."
 
 
 def test_what_is_no_file_for_a_board_says_why(page: TestClient) -> None:

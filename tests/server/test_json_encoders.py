@@ -276,7 +276,13 @@ ASKED: dict[tuple[str, str], tuple[Asking, ...]] = {
     ),
     ("POST", "/api/board-file"): (
         lambda both: both.post(
-            "board-file", mission=both.mission("example:heart/heart.krt"), path="", program="heart", kit=""
+            "board-file",
+            mission=both.mission("example:heart/heart.krt"),
+            path="",
+            program="heart",
+            kit="",
+            firmware="",
+            firmware_name="",
         ),
     ),
     ("POST", "/api/experiment/choices"): (

@@ -9,7 +9,8 @@ import pytest
 from playwright.sync_api import expect
 
 from kitrobot.deploy.firmware import uf2
-from tests.deploy.test_firmware import INFO, RP2350, whole
+from tests.deploy.test_firmware import INFO, whole
+from tests.deploy.uf2_firmware import RP2350
 from tests.studio.conftest import Studio
 from tests.studio.looks import find_nothing
 from tests.studio.test_variables import forgive_refusals

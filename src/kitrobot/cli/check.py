@@ -35,7 +35,7 @@ def check_files(
 ) -> None:
     """Show every problem of the files, each with its place and a way out.
 
-    Kinds: `.krt`, `.lll`, `.kri`, `.kra`, files with a mission inside (`.svg`, `.png`, `.pdf`, `.hex`), XML of
+    Kinds: `.krt`, `.lll`, `.kri`, `.kra`, files with a mission inside (`.svg`, `.png`, `.pdf`, `.hex`, `.uf2`), XML of
     robots, kits, constructors and worlds. Of an `.lll` without `--robot` only the syntax is checked. The exit status is
     1 if there is an error, and 0 if there are only warnings and hints. With --board it is 1 when a program cannot be
     sent.

@@ -27,7 +27,7 @@ def convert_file(
 
     - `.krt` mission (graphs) → `.lll`, `.kri`, `.kra`
     - `.lll` LLL text → `.krt`, `.kri`, `.kra`
-    - `.svg`, `.png`, `.pdf`, `.hex` file with a mission inside → `.krt`, `.lll`, `.kri`, `.kra`
+    - `.svg`, `.png`, `.pdf`, `.hex`, `.uf2` file with a mission inside → `.krt`, `.lll`, `.kri`, `.kra`
     - `.kri` image → `.kra`
     - `.kra` three-address listing → `.kri`, byte for byte the image that was listed
     - `.krtrace` recording → `.mcap`, for Foxglove, PlotJuggler and ROS 2

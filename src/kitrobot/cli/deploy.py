@@ -71,8 +71,18 @@ BoardFile = Annotated[
     Path | None,
     typer.Option(
         "--file",
-        metavar="FILE.hex",
-        help="To no board, but into a file that is copied onto the drive of a micro:bit, of 2016 or V2.",
+        metavar="FILE.hex|FILE.uf2",
+        help="To no board, but into a file that is copied onto a board's drive: `.hex` for a micro:bit, of 2016 or V2; "
+        "`.uf2` for a board such as a Raspberry Pi Pico.",
+        show_default=False,
+    ),
+]
+FirmwareFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--firmware",
+        metavar="MICROPYTHON.uf2",
+        help="With `--file FILE.uf2`: MicroPython for the board, from its maker; it comes along in the file.",
         show_default=False,
     ),
 ]
@@ -89,6 +99,7 @@ def deploy_program(
     board: KitOrBoards = None,
     many: BoardSet = False,
     file: BoardFile = None,
+    firmware: FirmwareFile = None,
     as_json: AsJson = False,
 ) -> None:
     """Put a program onto real robots and start it there; from then on it starts by itself when the power comes on.
@@ -106,16 +117,14 @@ def deploy_program(
     from kitrobot.boards.programs import load_board_program
 
     if many:
-        if to or program or robot or team or board or file:
+        if to or program or robot or team or board or file or firmware:
             words = "with --set the list says programs, kits and ports, and nothing goes into a file"
             raise typer.BadParameter(words, param_hint="'--set'")
         from kitrobot.cli.deploy_set import deploy_set
 
         deploy_set(mission, _bars, replace=replace, fresh=fresh, as_json=as_json)
         return
-    if file is not None and (to or team or fresh or replace):
-        words = "a file goes to no board yet: --file goes without --to, --team, --fresh and --replace"
-        raise typer.BadParameter(words, param_hint="'--file'")
+    _refuse_beside_a_file(file, firmware, goes_to_a_board=bool(to or team or fresh or replace))
     if team:
         if board is None or not any("=" in one for one in board):
             raise typer.BadParameter("--team and --board AGENT=PORT belong together", param_hint="'--team'")
@@ -132,9 +141,19 @@ def deploy_program(
     ready = load_board_program(mission, robot=robot, program=program, kit=board[0] if board else None)
     print_diagnostics(ready.diagnostics, ready.sources)
     if file is not None:
-        _save_file(ready, mission, file, as_json)
+        _save_file(ready, mission, file, firmware, as_json)
     else:
         _send(ready, to or [], as_json, replace=replace, fresh=fresh)
+
+
+def _refuse_beside_a_file(file: Path | None, firmware: Path | None, *, goes_to_a_board: bool) -> None:
+    """Raises a BadParameter when options do not go together with a file, or with none."""
+    if file is not None and goes_to_a_board:
+        words = "a file goes to no board yet: --file goes without --to, --team, --fresh and --replace"
+        raise typer.BadParameter(words, param_hint="'--file'")
+    if firmware is not None and file is None:
+        words = "the firmware comes along in a file: it goes with --file FILE.uf2; `kitrobot flash` puts it on a board"
+        raise typer.BadParameter(words, param_hint="'--firmware'")
 
 
 def _send(ready: BoardProgram, to: Sequence[str], as_json: bool, *, replace: bool, fresh: bool) -> None:
@@ -153,18 +172,19 @@ def _send(ready: BoardProgram, to: Sequence[str], as_json: bool, *, replace: boo
         raise typer.Exit(1)
 
 
-def _save_file(program: BoardProgram, mission: Path, target: Path, as_json: bool) -> None:
-    """Writes the file, and says for which boards it is."""
+def _save_file(program: BoardProgram, mission: Path, target: Path, firmware: Path | None, as_json: bool) -> None:
+    """Writes the file, and says for which boards it is and what is done with it."""
     from kitrobot.boards.board_files import save_board_file
 
-    made = save_board_file(program, mission, target)
+    made = save_board_file(program, mission, target, firmware)
     if as_json:
         reasons = {str(board): str(error.message) for board, error in made.reasons}
         print_data(json_text({"file": str(target), "bytes": len(made.data), "left_out": reasons}, 2) + "\n")
     for board, error in made.reasons:
         print_message(Sentence("it is not for {board}: {reason}", board, error.message))
         print_message(f"  help: {error.help}")
-    print_message(Sentence("{file}: written for {boards}; copy it onto the drive of the board", target, made.boards))
+    print_message(Sentence("{file}: written for {boards}", target, made.boards))
+    print_message(made.steps)
 
 
 def _deploy_team(mission: Path, board: Sequence[str], *, replace: bool, fresh: bool, as_json: bool) -> None:

@@ -42,8 +42,8 @@ def open_studio(
         str | None,
         typer.Argument(
             metavar="FILE.krt | FILE.krtrace | FOLDER",
-            help="A mission, a file with one inside (`.svg`, `.png`, `.pdf`, `.hex`), a recorded run, or a folder of"
-            " missions.",
+            help="A mission, a file with one inside (`.svg`, `.png`, `.pdf`, `.hex`, `.uf2`), a recorded run, or"
+            " a folder of missions.",
         ),
     ] = None,
     browser: Annotated[bool, typer.Option(help="Open the browser.")] = True,

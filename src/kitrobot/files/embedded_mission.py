@@ -2,22 +2,24 @@
 
 SVG: the text of `<metadata id="kitrobot-mission">`. PNG: an iTXt chunk, uncompressed, with the keyword
 `kitrobot-mission`. PDF: studios up to 0.1 wrote PDF themselves, with the mission attached in the open, packed by zlib;
-such a file opens, as long as no other program has written it anew. A `.hex` for a micro:bit: in records that boards
-skip, packed by zlib. Pictures come from anywhere: what is taken out is
-bounded, checked as far as the picture's own form can be checked, and read as carefully as any `.krt` after that. Left
-to others: reading the mission.
+such a file opens, as long as no other program has written it anew. Files for boards (`.hex`, `.uf2`): in records or
+blocks that boards skip, packed by zlib. Pictures come from anywhere: what is taken out is bounded, checked as far as
+the picture's own form can be checked, and read as carefully as any `.krt` after that. Left to others: reading the
+mission.
 """
 
 from __future__ import annotations
 
 import re
 import zlib
+from collections.abc import Callable
 from pathlib import Path, PurePath
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.disk import FileError, read_bytes
 from kitrobot.files.file_kinds import identify_file_kind
 from kitrobot.files.intel_hex import HexError, read_hex
+from kitrobot.files.uf2_file import MAGIC, Uf2Error, read_uf2
 from kitrobot.text.sentences import Sentence
 from kitrobot.xml.decoder import MAX_BYTES
 from kitrobot.xml.expat_parser import DoctypeError, ExpatError, new_parser
@@ -25,9 +27,11 @@ from kitrobot.xml.expat_parser import DoctypeError, ExpatError, new_parser
 KEYWORD = "kitrobot-mission"
 PICTURES = (".pdf", ".png", ".svg")
 """Endings of the pictures that the studio makes, or made."""
-CARRIERS = (*PICTURES, ".hex")
+FOR_BOARDS = (".hex", ".uf2")
+"""Endings of files that boards take from their drives."""
+CARRIERS = (*PICTURES, *FOR_BOARDS)
 """Endings of all files beside `.krt` that may have a mission inside."""
-_IN_HEX = KEYWORD.encode() + b"\0"
+_PACKED = KEYWORD.encode() + b"\0"
 _PNG = b"\x89PNG\r\n\x1a\n"
 _ATTACHED = re.compile(
     rb"<< /Type /EmbeddedFile /Subtype /application#2Fxml /Params << /Size [0-9]{1,10} >>"
@@ -69,14 +73,16 @@ def carried_mission(data: bytes, name: str) -> tuple[bytes, str]:
     elif _SVG.match(data[:_LOOKED_AT]):
         found = _in_svg(data, name)
     elif data.startswith(b":") and PurePath(name).suffix.lower() == ".hex":
-        found = _in_hex(data, name)
+        found = _in_board_file(lambda: read_hex(data, name).other, name)
+    elif data.startswith(MAGIC):
+        found = _in_board_file(lambda: read_uf2(data, name).other, name)
     elif (kind := identify_file_kind(data)) is not None:
         raise CarriedError(Sentence("`{name}` is {kind}: there is no mission inside", name, kind), _OURS)
     elif may_carry_mission(name):
         raise CarriedError(
             Sentence("`{name}` is not the picture that its name promises", name)
             if is_picture(name) and data
-            else Sentence("`{name}` is not the hex file that its name promises", name)
+            else Sentence("`{name}` is not the file for a board that its name promises", name)
             if data
             else Sentence("`{name}` is empty", name),
             Sentence("get the file once more, or open the mission's own `.krt`"),
@@ -142,22 +148,22 @@ def _unpacked(packed: bytes, name: str) -> bytes:
     return mission
 
 
-def hex_record_of_mission(mission: bytes) -> bytes:
-    """What a hex file has in its records that boards skip, so that the mission is inside."""
-    return _IN_HEX + zlib.compress(mission, 9)
+def packed_mission(mission: bytes) -> bytes:
+    """What a file for a board has in what boards skip, so that the mission is inside."""
+    return _PACKED + zlib.compress(mission, 9)
 
 
-def _in_hex(data: bytes, name: str) -> bytes:
+def _in_board_file(skipped: Callable[[], bytes], name: str) -> bytes:
     try:
-        other = read_hex(data, name).other
-    except HexError as error:
+        other = skipped()
+    except (HexError, Uf2Error) as error:
         raise CarriedError(error.message, error.help) from None
-    if not other.startswith(_IN_HEX):
+    if not other.startswith(_PACKED):
         raise CarriedError(
-            Sentence("`{name}` is a hex file without a mission of KitRobot inside", name),
-            Sentence("a `.hex` that KitRobot saved for a micro:bit has its mission inside; so has a `.krt`"),
+            Sentence("`{name}` is a file for a board without a mission of KitRobot inside", name),
+            Sentence("a `.hex` or `.uf2` that KitRobot saved has its mission inside; so has a `.krt`"),
         )
-    return _unpacked(other[len(_IN_HEX) :], name)
+    return _unpacked(other[len(_PACKED) :], name)
 
 
 class _Metadata:

@@ -63,8 +63,9 @@ class AbsentPartShape(BaseModel):
 
 class KitEntryShape(BaseModel):
     """What a robot can be built of; `micropython` is the least version that it needs, "" for any, and `firmware` the
-    page where its file says that it is to be had. `picture` is an SVG of it, drawn from its file. `absent` are the
-    parts that the kit has nothing for, by the robot whose parts they are.
+    page where its file says that it is to be had. `file` is the ending of the file that its board takes from its drive,
+    "" for none. `picture` is an SVG of it, drawn from its file. `absent` are the parts that the kit has nothing for, by
+    the robot whose parts they are.
     """
 
     name: str
@@ -72,6 +73,7 @@ class KitEntryShape(BaseModel):
     help: dict[str, str]
     micropython: str
     firmware: str
+    file: Literal["", ".hex", ".uf2"]
     picture: str
     absent: dict[str, list[AbsentPartShape]]
 

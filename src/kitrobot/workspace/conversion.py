@@ -109,11 +109,12 @@ def convert(source: Path, target: Path, *, program: str | None = None, robot: st
             Sentence("open the mission in the studio and choose Export in the menu File"),
         )
     if may_carry_mission(target.name):
+        brought = " --firmware MICROPYTHON.uf2" if target.suffix.lower() == ".uf2" else ""
         raise ConversionError(
             Sentence(
                 "`{target}` would be a file for a board, and that needs to know what the robot is built of", target
             ),
-            Sentence("make it with {command}", f"`kitrobot deploy {source} --file {target}`"),
+            Sentence("make it with {command}", f"`kitrobot deploy {source} --file {target}{brought}`"),
         )
     carried = may_carry_mission(source.name)
     form, wanted = Form.MISSION if carried else form_of(source), form_of(target)

@@ -35,8 +35,8 @@ UNKNOWN_KIND = rule(
     "file-unknown-kind",
     Severity.ERROR,
     "A file is of no kind that is known here",
-    "Known are `.krt`, `.lll`, `.kri`, `.kra`, files with a mission inside (`.svg`, `.png`, `.pdf`, `.hex`), and XML"
-    " whose first element is <robot>, <board>, <constructors>, <world>, <tutorial>, <exercise> or <kitrobot>.",
+    "Known are `.krt`, `.lll`, `.kri`, `.kra`, files with a mission inside (`.svg`, `.png`, `.pdf`, `.hex`, `.uf2`),"
+    " and XML whose first element is <robot>, <board>, <constructors>, <world>, <tutorial>, <exercise> or <kitrobot>.",
 )
 UNUSABLE = rule(
     "image-unusable",
@@ -85,7 +85,7 @@ def check_file(path: Path, robot: Robot | None = None) -> FileReport:
 def _check(path: Path, robot: Robot | None) -> FileReport:
     path = find_mission(path)
     match path.suffix.lower():
-        case ".krt" | ".svg" | ".png" | ".pdf" | ".hex":
+        case ".krt" | ".svg" | ".png" | ".pdf" | ".hex" | ".uf2":
             return _mission(path)
         case ".lll":
             return _text(path, robot)

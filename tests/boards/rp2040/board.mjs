@@ -20,7 +20,7 @@ const NANOS_A_CYCLE = 8; // 125 MHz
 const AT_ONCE = 50_000; // instructions, before the line is looked at
 const LONGEST_REST = 1_000_000; // ns that a processor waits at once
 const PWM_BASE = 0x40050000;
-const [MAGIC, UF2_BLOCK] = [0x0a324655, 512];
+const [MAGIC, NOT_FLASH, UF2_BLOCK] = [0x0a324655, 1, 512];
 
 const [emulator, givenPath] = process.argv.slice(2);
 const given = JSON.parse(readFileSync(givenPath, "utf8"));
@@ -42,6 +42,7 @@ const say = (answer) => process.stdout.write(JSON.stringify(answer) + "\n");
 function load(uf2) {
   for (let at = 0; at + UF2_BLOCK <= uf2.length; at += UF2_BLOCK) {
     if (uf2.readUInt32LE(at) !== MAGIC) throw new Error("the firmware is no UF2 file");
+    if ((uf2.readUInt32LE(at + 8) & NOT_FLASH) !== 0) continue;
     const size = uf2.readUInt32LE(at + 16);
     uf2.copy(flash, uf2.readUInt32LE(at + 12) - FLASH, at + 32, at + 32 + size);
   }

@@ -149,9 +149,9 @@ export const api = {
   saveMission: (path: string, revision: string, mission: Mission) =>
     ask<server.Saved>("mission", { method: "PUT", json: { path, revision, mission } }),
   missionText: (mission: Mission) => ask<{ text: string }>("mission/text", { method: "POST", json: { mission } }),
-  /** A program as a file for a board's drive; `kit`: what the robot is built of, "" as its own file says. */
-  boardFile: (mission: Mission, path: string, program: string, kit: string) =>
-    ask<server.BoardFile>("board-file", { method: "POST", json: { mission, path, program, kit } }),
+  /** A program as a file for a board's drive. */
+  boardFile: (wanted: Omit<server.BoardFileAsk, "mission"> & { mission: Mission }) =>
+    ask<server.BoardFile>("board-file", { method: "POST", json: wanted }),
   image: (mission: Mission, path: string, program: string) =>
     ask<server.Image>("image", { method: "POST", json: { mission, path, program } }),
   /** `own` is what the mission brings along: the text may speak of it. */

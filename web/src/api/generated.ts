@@ -221,19 +221,29 @@ export interface BoardFault {
   tick: number;
 }
 
-/** The bytes of the `.hex` in base64, the boards that it is for, and why it is not for another one. */
+/**
+ * The bytes of the file in base64, the ending of its name, the boards that it is for, what is done with it, and why it
+ * is not for another board.
+ */
 export interface BoardFile {
   file: string;
+  ending: ".hex" | ".uf2";
   boards: string;
+  steps: string;
   reasons: string[];
 }
 
-/** Which program of a mission is to become a file, on which kit, "" as its robot's own file says. */
+/**
+ * Which program of a mission is to become a file, on which kit, "" as its robot's own file says. `firmware`: the bytes
+ * of the UF2 file that comes along in base64, "" for a micro:bit; `firmware_name`: of that file.
+ */
 export interface BoardFileAsk {
   mission: Mission;
   path: string;
   program: string;
   kit: string;
+  firmware: string;
+  firmware_name: string;
 }
 
 /** Let go of the robot; one that is held stops. */
@@ -1132,8 +1142,9 @@ export type Kind = "procedure" | "test" | "value";
 
 /**
  * What a robot can be built of; `micropython` is the least version that it needs, "" for any, and `firmware` the page
- * where its file says that it is to be had. `picture` is an SVG of it, drawn from its file. `absent` are the parts that
- * the kit has nothing for, by the robot whose parts they are.
+ * where its file says that it is to be had. `file` is the ending of the file that its board takes from its drive, ""
+ * for none. `picture` is an SVG of it, drawn from its file. `absent` are the parts that the kit has nothing for, by the
+ * robot whose parts they are.
  */
 export interface KitEntry {
   name: string;
@@ -1141,6 +1152,7 @@ export interface KitEntry {
   help: Record<string, string>;
   micropython: string;
   firmware: string;
+  file: "" | ".hex" | ".uf2";
   picture: string;
   absent: Record<string, AbsentPart[]>;
 }

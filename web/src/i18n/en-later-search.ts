@@ -32,7 +32,7 @@ export const SEARCH_EN = {
   "search.source": "source code, text",
   "search.binary": "binary, byte code, executable",
   "search.listing": "assembly, intermediate code",
-  "search.board-file": "hex, download, flash, drive, MICROBIT",
+  "search.board-file": "hex, uf2, download, flash, drive, MICROBIT, RPI-RP2",
   "search.picture": "picture, image, screenshot",
   "help.keys-elsewhere": "Elsewhere",
   "help.keys-elsewhere-how": "What has neither a key nor a menu of its own.",

@@ -1,15 +1,13 @@
 """Firmware in UF2 files, and the drives that boards show to take it: a file that is copied there is on the board.
 
-A file is 512-byte blocks, each with its magic numbers, where its bytes go, its number and how many there are, and the
-family of chips that it is for. All of it is checked before the first byte is copied, since a board that is given half a
-firmware starts nothing. A drive has `INFO_UF2.TXT`, which names the board.
+All of a file is checked before the first byte is copied, since a board that is given half a firmware starts nothing. A
+drive has `INFO_UF2.TXT`, which names the board.
 """
 
 from __future__ import annotations
 
 import os
 import re
-import struct
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
@@ -17,21 +15,13 @@ from pathlib import Path
 
 from kitrobot.deploy.errors import DeployError
 from kitrobot.diagnostics.regular import open_regular
+from kitrobot.files.uf2_file import LARGEST_BYTES, Uf2Block, Uf2Error, read_uf2
 from kitrobot.text.sentences import COMMA, Sentence, Series
 
 INFO = "INFO_UF2.TXT"
 SUFFIX = ".uf2"
-BLOCK = 512
-LARGEST_BYTES = 64 * 1024 * 1024
-"""Of a file; the flash of no board holds more."""
-
-_HEAD = struct.Struct("<8I")
-_FIRST, _SECOND, _LAST = 0x0A324655, 0x9E5D5157, 0x0AB16F30
-_NOT_FLASH, _HAS_FAMILY = 0x00000001, 0x00002000
-_MOST_PAYLOAD = 476
 _MOST_INFO = 4096
 _PIECE = 64 * 1024
-_ABSOLUTE = 0xE48BFF57
 FAMILIES_OF_CHIPS = {
     0xE48BFF56: "RP2040",
     0xE48BFF59: "RP2350",
@@ -58,9 +48,13 @@ class FlashError(DeployError):
 
 @dataclass(frozen=True)
 class Firmware:
-    """A file of firmware that is whole. `chips`: for which; `micropython`: its version, "" where none was found."""
+    """A file of firmware that is whole. `chips`: for which; `micropython`: its version, "" where none was found;
+    `blocks`: what goes where in the flash.
+    """
 
+    name: str
     data: bytes
+    blocks: tuple[Uf2Block, ...]
     chips: tuple[str, ...]
     micropython: str
 
@@ -97,35 +91,13 @@ def firmware_of(data: bytes, name: str) -> Firmware:
     Raises:
         FlashError: it is not whole.
     """
-    if len(data) > LARGEST_BYTES:
-        raise _refused(name, Sentence("it has more than {most} bytes", LARGEST_BYTES))
-    if not data or data[:8] != struct.pack("<II", _FIRST, _SECOND):
-        raise _refused(name, Sentence("it does not begin as a UF2 file does"))
-    if len(data) % BLOCK:
-        raise _refused(name, Sentence("it is cut off in its block {number}", len(data) // BLOCK + 1))
-    seen: dict[int, tuple[int, set[int]]] = {}
-    payload = bytearray()
-    for number, at in enumerate(range(0, len(data), BLOCK), 1):
-        first, second, flags, _, size, place, count, family = _HEAD.unpack_from(data, at)
-        (last,) = struct.unpack_from("<I", data, at + BLOCK - 4)
-        if (first, second, last) != (_FIRST, _SECOND, _LAST):
-            raise _refused(name, Sentence("its block {number} is damaged", number))
-        if size > _MOST_PAYLOAD or place >= count:
-            raise _refused(name, Sentence("its block {number} says what cannot be", number))
-        family = family if flags & _HAS_FAMILY else 0
-        known = seen.setdefault(family, (count, set()))
-        if known[0] != count or place in known[1]:
-            raise _refused(name, Sentence("its block {number} does not fit the others", number))
-        known[1].add(place)
-        if not flags & _NOT_FLASH:
-            payload += data[at + _HEAD.size : at + _HEAD.size + size]
-    for family, (count, places) in seen.items():
-        # A file for the RP2350 begins with one block of another family, which counts for itself.
-        if len(places) != count and family != _ABSOLUTE:
-            raise _refused(name, Sentence("{missing} of its {count} blocks are missing", count - len(places), count))
-    chips = dict.fromkeys(FAMILIES_OF_CHIPS[family] for family in seen if family in FAMILIES_OF_CHIPS)
-    version = _VERSION.search(payload)
-    return Firmware(data, tuple(chips), version[1].decode() if version else "")
+    try:
+        blocks = read_uf2(data, name).blocks
+    except Uf2Error as error:
+        raise _refused(name, error.reason) from None
+    chips = dict.fromkeys(FAMILIES_OF_CHIPS[one.family] for one in blocks if one.family in FAMILIES_OF_CHIPS)
+    version = _VERSION.search(b"".join(one.payload for one in blocks))
+    return Firmware(name, data, blocks, tuple(chips), version[1].decode() if version else "")
 
 
 def _refused(name: str, why: Sentence) -> FlashError:

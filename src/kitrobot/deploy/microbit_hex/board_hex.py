@@ -1,8 +1,8 @@
 """A program as a universal hex: what a micro:bit has after `deploy`, as a file that is copied onto its drive.
 
 The section of each board is its MicroPython with a file system in which KitRobot's files, the program's and the line
-that names it lie, and, for a board of 2016, the block with the loop. Nothing is on trial: there is nothing to go back
-to. The mission travels along, so the file opens in the studio.
+that names it lie, and, for a board of 2016, the block with the loop. The mission travels along, so the file opens in
+the studio.
 """
 
 from __future__ import annotations
@@ -12,22 +12,18 @@ from dataclasses import dataclass
 
 from kitrobot.deploy.errors import BoardError, PackageError
 from kitrobot.deploy.firmware.requirements import FirmwareRequirements
-from kitrobot.deploy.installation.boot_records import MAIN, SLOTS, StartLine
+from kitrobot.deploy.installation.initial_files import initial_files
 from kitrobot.deploy.line.receiver import MICROBIT
 from kitrobot.deploy.microbit_2016.flash_loop import FLASH_LOOP
 from kitrobot.deploy.microbit_hex.bundled_firmware import V1, V2, bundled_firmware, compiled_block
 from kitrobot.deploy.microbit_hex.file_area import build_area
-from kitrobot.deploy.package.board_package import BoardPackage, LoopInstaller
+from kitrobot.deploy.package.board_package import LoopInstaller
 from kitrobot.deploy.package.compiled_loop import COMPILED_LOOP
-from kitrobot.deploy.package.driver_fit import refuse_misfits
-from kitrobot.deploy.package.memory import refuse_what_does_not_fit
 from kitrobot.deploy.package.package import Package
-from kitrobot.deploy.package.program_file import ProgramFile, program_name
-from kitrobot.deploy.package.script import board_file
-from kitrobot.files.embedded_mission import hex_record_of_mission
+from kitrobot.deploy.package.program_file import ProgramFile
+from kitrobot.files.embedded_mission import packed_mission
 from kitrobot.files.intel_hex import HexFile, write_hex
 from kitrobot.text.sentences import Sentence
-from kitrobot_onboard.link import checksum
 
 BOARD_NAMES = {V1: Sentence("the micro:bit of 2016"), V2: Sentence("the micro:bit V2")}
 
@@ -88,7 +84,7 @@ def make_board_hex(
     if not memories:
         raise left_out[V2]
     return BoardHex(
-        write_hex(HexFile(memories, hex_record_of_mission(mission) if mission else b"")), tuple(memories), left_out
+        write_hex(HexFile(memories, packed_mission(mission) if mission else b"")), tuple(memories), left_out
     )
 
 
@@ -97,19 +93,9 @@ def _memory(
 ) -> Mapping[int, bytes]:
     if needs is not None:
         needs.refuse_older(board.micropython)
-    built = package.build(MICROBIT, program.drivers, board.installer)
-    refuse_misfits(program, package, MICROBIT)
-    content = board_file(program, built)
-    refuse_what_does_not_fit(program, built, len(content), board.free)
+    files = initial_files(program, package, MICROBIT, board.installer, board.free)
     firmware = bundled_firmware(number)
     block = compiled_block(firmware) if number == V1 else b""
     area = firmware.area
     outside = {start: run for start, run in firmware.memory.items() if not area.start <= start < area.spare + area.page}
-    return dict(sorted({**outside, area.start: build_area(area, _files(content, built), block)}.items()))
-
-
-def _files(content: bytes, built: BoardPackage) -> Mapping[str, bytes]:
-    """All files, as an installation leaves them: the line that names what starts is the last one."""
-    name = program_name(content)
-    line = StartLine(1, built.interpreter, name, checksum(content))
-    return {**built.files, name: content, MAIN: built.main, SLOTS[0]: line.to_bytes()}
+    return dict(sorted({**outside, area.start: build_area(area, files, block)}.items()))

@@ -7,6 +7,7 @@ from base64 import b64encode
 from kitrobot.boards.board_files import make_board_file
 from kitrobot.boards.programs import board_program
 from kitrobot.compiler.target import robot_of
+from kitrobot.deploy.firmware.uf2 import firmware_of
 from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.image.listing import disassemble
 from kitrobot.mission.writer import write_mission
@@ -51,14 +52,17 @@ def image(studio: ThisStudio, wanted: ImageAskShape) -> ImageShape:
 
 @image_routes.post("/board-file")
 def board_file(studio: ThisStudio, wanted: BoardFileAskShape) -> BoardFileShape:
-    """Compiles one program of a mission into a file that is copied onto the drive of a micro:bit."""
+    """Compiles one program of a mission into a file that is copied onto a board's drive."""
     mission = mission_from_shape(wanted.mission)
     opened = studio.open(mission, wanted.path)
     folder = studio.folder.folders_of(wanted.path)[0]
     kit = kit_named(wanted.kit, folder) if wanted.kit else None
-    made = make_board_file(board_program(opened, wanted.program, folder, kit), write_mission(mission))
+    firmware = firmware_of(wanted.firmware, wanted.firmware_name) if wanted.firmware else None
+    made = make_board_file(board_program(opened, wanted.program, folder, kit), write_mission(mission), firmware)
     reasons = [Sentence("it is not for {board}: {reason}", board, error.message) for board, error in made.reasons]
-    return BoardFileShape(file=b64encode(made.data).decode(), boards=made.boards, reasons=reasons)
+    return BoardFileShape(
+        file=b64encode(made.data).decode(), ending=made.ending, boards=made.boards, steps=made.steps, reasons=reasons
+    )
 
 
 def _counted(errors: int) -> str:

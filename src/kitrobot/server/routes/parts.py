@@ -6,6 +6,7 @@ from typing import Annotated, Literal, cast
 
 from fastapi import Depends, Query, Request
 
+from kitrobot.boards.board_files import file_of_kit
 from kitrobot.boards.kit_pictures import body_picture
 from kitrobot.boards.kits import absent_parts, program_on_kits
 from kitrobot.diagnostics.model import KitRobotError
@@ -111,6 +112,7 @@ def kits(studio: ThisStudio, path: Name) -> list[KitEntryShape]:
             help=dict(kit.help),
             micropython=kit.micropython,
             firmware=kit.firmware,
+            file=file_of_kit(kit),
             picture=body_picture(kit),
             absent={name: _absent(robot, kit) for name, robot in robots.items()},
         )

@@ -122,7 +122,7 @@ export function OpenSheet() {
           ref={chooser}
           className="only-spoken"
           type="file"
-          accept=".krt,.krtrace,.xml,.svg,.png,.pdf,.hex"
+          accept=".krt,.krtrace,.xml,.svg,.png,.pdf,.hex,.uf2"
           tabIndex={-1}
           aria-hidden="true"
           data-testid="open-file"

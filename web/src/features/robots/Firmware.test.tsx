@@ -7,7 +7,7 @@ import type { KitEntry } from "../../api/generated";
 import { FirmwareNeed } from "./Firmware";
 
 const KIT: KitEntry = {
-  ...{ name: "xrp", label: {}, help: {}, picture: "", absent: {} },
+  ...{ name: "xrp", label: {}, help: {}, picture: "", absent: {}, file: ".uf2" },
   ...{ micropython: "1.25", firmware: "https://example.org/xrp" },
 };
 

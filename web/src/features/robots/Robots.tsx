@@ -18,6 +18,7 @@ import { EmptyRobots } from "./EmptyRobots";
 import { FindBoard } from "./FindBoard";
 import { FirmwarePart } from "./Firmware";
 import { KitAtHand } from "./KitAtHand";
+import { BoardFileSheet } from "./BoardFileSheet";
 import { KitSheet } from "./KitSheet";
 import { reach } from "./serial";
 import { connect, send } from "./socket";
@@ -175,6 +176,7 @@ export function Robots() {
         <Tool small icon="x" label={t("boards.close")} testId="robots-close" onClick={() => showRobots(false)} />
       </header>
       <KitSheet />
+      <BoardFileSheet />
       <div className="robots-body">
         <Barred />
         {inPage() ? null : <TeamPart />}

@@ -1,6 +1,7 @@
 import { afterEach, beforeAll, beforeEach, expect, test, vi } from "vitest";
 
 import { api } from "../../api/client";
+import type { BoardFile } from "../../api/generated";
 import { moreWords } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { useDocument } from "../../session/document";
@@ -8,7 +9,10 @@ import { saveBoardFile } from "./board-file";
 import { chooseKit, dropKitQuestion, useKitQuestion } from "./kits";
 
 const HEX = ":00000001FF\n";
-const MADE = { file: btoa(HEX), boards: "micro:bit V2", reasons: ["Too large."] };
+const MADE: BoardFile = {
+  ...{ file: btoa(HEX), ending: ".hex", boards: "micro:bit V2" },
+  ...{ steps: "Plug the board in.", reasons: ["Too large."] },
+};
 
 /** Names of files that the page gave the browser, and what is in them. */
 let saved: [name: string, content: Blob][] = [];
@@ -43,11 +47,12 @@ test("it is asked what the robot is built of, and the file is saved for that kit
   await vi.waitFor(() => expect(useDocument.getState().banner).not.toBeNull());
   const { mission, file } = useStudio.getState();
   const program = mission.programs[0]?.name ?? "";
-  expect(made).toHaveBeenCalledWith(mission, file.path, program, "cutebot");
+  const asked = { mission, path: file.path, program, kit: "cutebot", firmware: "", firmware_name: "" };
+  expect(made).toHaveBeenCalledWith(asked);
   expect(saved.map(([name, { size }]) => [name, size])).toEqual([[`${program}.hex`, HEX.length]]);
   const banner = useDocument.getState().banner;
   expect(banner?.message).toContain("micro:bit V2");
-  expect(banner?.help).toMatch(/^Too large\. Plug the board in/);
+  expect(banner?.help).toBe("Too large. Plug the board in.");
 });
 
 test("who leaves the question saves nothing", () => {
