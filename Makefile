@@ -14,7 +14,7 @@ SOURCES := $(wildcard src tests tools benchmarks hatch_build.py)
 .NOTPARALLEL:
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help install page run quick near test thorough check format docs bench pictures gallery site lock clean
+.PHONY: help install page run quick near test thorough check format docs bench pictures gallery wheels site lock clean
 
 help: ## list the tasks
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -87,6 +87,10 @@ page: $(STAMP) ## build the page into the package, if it is stale
 
 lock: ## choose the newest versions that pyproject.toml allows: constraints.txt
 	sh tools/lock.sh $(PYTHON)
+
+wheels: install page ## make the wheels in dist/: KitRobot, and what `kitrobot site` needs beside it
+	$(PY) -m hatchling build -t wheel
+	@$(PY) -m tools.site_parts_wheel
 
 site: install page ## write the studio as a static site into build/site: any web server serves it
 	@$(PY) -m tools.site_parts

@@ -13,7 +13,7 @@ import sys
 from importlib.metadata import version
 from pathlib import Path
 
-from kitrobot.packaging.site import PYTHON, WHEEL_TAGS
+from kitrobot.packaging.site_parts import PYTHON, WHEEL_TAGS
 
 ROOT = Path(__file__).resolve().parent.parent
 PARTS = ROOT / "build" / "site-parts"

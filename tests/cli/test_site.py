@@ -9,7 +9,8 @@ def test_what_is_missing_is_said_with_the_way_to_get_it(kitrobot, tmp_path: Path
     said = kitrobot("site", str(tmp_path / "site"))
     assert said.status == 1
     assert said.err.startswith("error: Pyodide is not here")
-    assert "npm install --prefix PARTS pyodide@" in said.err
+    assert "install the wheel `kitrobot_site_parts-" in said.err
+    assert "npm" not in said.err
     assert not (tmp_path / "site").exists()
 
 

@@ -13,8 +13,9 @@ from pathlib import Path
 import pytest
 
 from kitrobot import __version__
-from kitrobot.packaging.site import PAGE, POLICY, PYODIDE, SiteError, expect_site, make_site
+from kitrobot.packaging.site import PAGE, POLICY, expect_site, make_site
 from kitrobot.packaging.site_packer import packed
+from kitrobot.packaging.site_parts import PYODIDE, WHEEL_TAGS, SiteError
 from kitrobot.server.first_missions import first_missions
 from kitrobot.server.security import CONTENT_POLICY
 from kitrobot.translation.translator import LANGUAGES
@@ -55,7 +56,7 @@ def test_without_the_built_page_it_says_how_to_build_it(tmp_path: Path) -> None:
 def test_without_pyodide_or_with_another_it_says_how_to_get_it(tmp_path: Path) -> None:
     missing = refused(tmp_path / "site", tmp_path)
     assert missing.message == "Pyodide is not here: the Python that runs in a page"
-    assert f"pyodide@{PYODIDE}" in missing.help
+    assert f"kitrobot_site_parts-{__version__}" in missing.help
     other = refused(tmp_path / "site", pyodide_of("0.1.0", tmp_path / "old"))
     assert other.message == f"Pyodide 0.1.0 is here, and {PYODIDE} is needed"
     assert not (tmp_path / "site").exists()
@@ -65,8 +66,13 @@ def test_without_pyodide_or_with_another_it_says_how_to_get_it(tmp_path: Path) -
 def test_without_the_wheel_it_says_how_to_get_it(tmp_path: Path) -> None:
     missing = refused(tmp_path / "site", ROOT / "web")
     assert "pydantic_core-" in missing.message
-    assert "pip download" in missing.help
-    assert "--platform pyemscripten" in missing.help
+    assert f"kitrobot_site_parts-{__version__}" in missing.help
+
+
+@pytest.mark.site
+def test_with_the_wheel_of_another_pydantic_core_it_says_which_one_belongs_to_it(tmp_path: Path) -> None:
+    (tmp_path / f"pydantic_core-2.0.1-{WHEEL_TAGS}.whl").touch()
+    assert "pip install pydantic_core==2.0.1" in refused(tmp_path / "site", ROOT / "web", tmp_path).help
 
 
 def test_the_page_of_a_site_is_as_strict_as_that_of_the_server() -> None:

@@ -20,7 +20,8 @@ def write_site(
     parts: Annotated[
         list[Path] | None,
         typer.Option(
-            help="A folder with npm's package `pyodide`, or with pydantic_core's wheel for it. Can be given twice.",
+            help="A folder with Pyodide, or with pydantic_core's wheel for it, where `kitrobot_site_parts` is not "
+            "installed. Can be given twice.",
         ),
     ] = None,
 ) -> None:

@@ -1,10 +1,10 @@
 """A folder with the whole studio in it, for any web server that only hands out files: Python runs in the page.
 
 The folder holds the built page, Pyodide (CPython for WebAssembly), and the Python packages that the studio needs as one
-archive. The same sources make the same bytes. What this machine cannot bring along by itself, Pyodide and the one wheel
-that is compiled for it, is looked for in the folders `parts`.
+archive. The same sources make the same bytes.
 
-Left to others: the Python packages (`site_packages`), running in a page (`server.in_page_server`), the page's side.
+Left to others: where Pyodide comes from (`site_parts`), the Python packages (`site_packages`), running in a page
+(`server.in_page_server`), the page's side.
 """
 
 from __future__ import annotations
@@ -22,36 +22,23 @@ from types import MappingProxyType
 from typing import Final
 
 from kitrobot import __version__
-from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.packaging.site_firmware import FIRMWARE_ARCHIVE, firmware_archive
 from kitrobot.packaging.site_packages import packages
 from kitrobot.packaging.site_packer import PACKED, packed
+from kitrobot.packaging.site_parts import LARGE, LIBRARY, LOCK, PYTHON, RUNTIME, SiteError, find_parts
 from kitrobot.packaging.site_sources import in_library, without_texts
 from kitrobot.text.sentences import Sentence
-
-PYODIDE: Final = "314.0.7"
-"""The version of Pyodide; its Python and its ABI are those of the wheel."""
-PYTHON: Final = "3.14"
-WHEEL_TAGS: Final = "cp314-cp314-pyemscripten_2026_0_wasm32"
 
 _PACKAGE = Path(__file__).resolve().parent.parent
 PAGE: Final = _PACKAGE / "server" / "static"
 """The built page."""
 _FILES = Path(__file__).parent / "site_files"
-_LIBRARY: Final = "python_stdlib.zip"
-_LARGE: Final = ("pyodide.asm.wasm", _LIBRARY)
-_RUNTIME: Final = ("pyodide.mjs", "pyodide.asm.mjs", *_LARGE)
-"""What Pyodide consists of."""
 
 POLICY: Final = (
     "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
     "font-src 'self'; connect-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'"
 )
 """As the server's; what a page cannot say of itself (who may frame it) is left out."""
-
-
-class SiteError(KitRobotError):
-    """The site cannot be made."""
 
 
 @dataclass(frozen=True)
@@ -79,11 +66,10 @@ def make_site(
     if not index.is_file():
         message = Sentence("the studio's page has not been built")
         raise SiteError(message, Sentence("run `python tools/page.py build`, then this command again"))
-    places = list(parts)
-    pyodide, wheel = _pyodide_in(places), _wheel_in(places)
+    pyodide, wheel = find_parts(parts)
     archive, libraries = packages(wheel)
     files = {f"pyodide/{name}": data for name, data in _runtime(pyodide).items()}
-    large = {f"pyodide/{name}": files.pop(f"pyodide/{name}") for name in _LARGE} | {"python": archive}
+    large = {f"pyodide/{name}": files.pop(f"pyodide/{name}") for name in LARGE} | {"python": archive}
     files |= _packed(large | {Path(name).name: data for name, data in libraries.items()})
     python = {name: len(data) for name, data in files.items()}
     version = _digest(files).hexdigest()[:20]
@@ -174,55 +160,17 @@ def _service_worker(files: dict[str, bytes]) -> bytes:
     return text.replace("@VERSION@", digest.hexdigest()[:20]).replace('"@FILES@"', names).encode()
 
 
-def _pyodide_in(places: Iterable[Path]) -> Path:
-    found = ""
-    for place in places:
-        for folder in (place, place / "pyodide", place / "node_modules" / "pyodide"):
-            try:
-                version = json.loads((folder / "package.json").read_bytes())
-            except (OSError, ValueError):
-                continue
-            if not isinstance(version, dict) or version.get("name") != "pyodide":
-                continue
-            found = str(version.get("version"))
-            if found == PYODIDE and all((folder / name).is_file() for name in _RUNTIME):
-                return folder
-    help = Sentence(
-        "get it with `npm install --prefix PARTS pyodide@{version}`, and name that folder: `--parts PARTS`", PYODIDE
-    )
-    if found:
-        raise SiteError(Sentence("Pyodide {found} is here, and {wanted} is needed", found, PYODIDE), help)
-    raise SiteError(Sentence("Pyodide is not here: the Python that runs in a page"), help)
-
-
-def _wheel_in(places: Iterable[Path]) -> Path:
-    from importlib.metadata import version
-
-    wanted = f"pydantic_core-{version('pydantic_core')}-{WHEEL_TAGS}.whl"
-    found = next((place / wanted for place in places if (place / wanted).is_file()), None)
-    if found is None:
-        _, abi, platform = WHEEL_TAGS.split("-")
-        message = Sentence("the wheel `{wheel}` is not here, which was compiled for Pyodide", wanted)
-        command = (
-            f"pip download --no-deps --only-binary :all: --implementation cp --python-version {PYTHON} --abi {abi}"
-            f" --platform {platform} --dest PARTS pydantic_core=={version('pydantic_core')}"
-        )
-        help = Sentence("get it with `{command}`, and name that folder: `--parts PARTS`", command)
-        raise SiteError(message, help)
-    return found
-
-
 def _packed(files: dict[str, bytes]) -> dict[str, bytes]:
     with ThreadPoolExecutor() as threads:
         return {name + PACKED: data for name, data in zip(files, threads.map(packed, files.values()), strict=True)}
 
 
 def _runtime(folder: Path) -> dict[str, bytes]:
-    found = {name: (folder / name).read_bytes() for name in _RUNTIME}
-    found[_LIBRARY] = _stored(found[_LIBRARY])
-    lock = json.loads((folder / "pyodide-lock.json").read_bytes())
+    found = {name: (folder / name).read_bytes() for name in RUNTIME}
+    found[LIBRARY] = _stored(found[LIBRARY])
+    lock = json.loads(found[LOCK])
     # Its packages are not here: nothing may be fetched from elsewhere.
-    found["pyodide-lock.json"] = json.dumps({**lock, "packages": {}}, sort_keys=True).encode()
+    found[LOCK] = json.dumps({**lock, "packages": {}}, sort_keys=True).encode()
     return found
 
 

@@ -10,7 +10,7 @@ import pytest
 
 from kitrobot.classroom.assignments import MOST_BYTES, MOST_FILES, pack
 from kitrobot.classroom.class_room import ClassRoom
-from kitrobot.packaging.site import SiteError
+from kitrobot.packaging.site_parts import SiteError
 from kitrobot.server.app import create_app
 from kitrobot.server.classroom.app import create_class_app
 from kitrobot.server.classroom.class_server import ClassSettings, serve_class
