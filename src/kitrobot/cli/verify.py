@@ -19,6 +19,7 @@ from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_
 from kitrobot.text.sentences import Sentence
 
 if TYPE_CHECKING:
+    from kitrobot.checking.run_explanation import RunExplanation
     from kitrobot.checking.verification import Finding, Progress, Verification
     from kitrobot.mission.property_forms import AskedProperty
     from kitrobot.verifier.exploration.budget import CutReason
@@ -29,6 +30,8 @@ _ELSEWHERE = Sentence("ask it of runs (`kitrobot judge --by runs`), of failures 
 _FIRST, _LAST = 6, 24
 """Events of one run that are shown: the first and the last ones."""
 
+_OTHER = 5
+"""Events of another way that are shown."""
 
 PropertyNames = Annotated[
     list[str] | None,
@@ -121,7 +124,7 @@ def verify_mission(
     print_diagnostics(prepared.problems, prepared.sources)
     wanted = tuple(one for name, one in befalls.items() if name in kinds) if kinds else USUAL_KINDS
     options = VerificationOptions(
-        *(names, chosen, failures, wanted, most_states, seconds), memory=most_memory * _MEGA, asked=asked
+        *(names, chosen, failures, wanted, most_states, seconds), memory=most_memory * _MEGA, explains=True, asked=asked
     )
     with _progress() as progress:
         made = verify(prepared, options, progress)
@@ -254,11 +257,13 @@ def _answer_text(finding: Finding) -> str:
 
 
 def _counterexample_lines(finding: Finding, head: str, tick_ms: int) -> Sequence[str]:
-    """The lines of one broken property: its demand, the counterexample, and whether the simulator confirms it."""
+    """The lines of one broken property: its demand, the counterexample, why, and whether the simulator confirms it."""
     verdict, counterexample = finding.verdict, finding.verdict.counterexample
     assert counterexample is not None
     lines = [f"{verdict.property.name} ({head}): not always: {verdict.property.sentence}"]
-    story = [f"  {step:>4}  {text}" for step, text in finding.story]
+    why = finding.why
+    decided = -1 if why is None else why.step
+    story = [f"{'>' if step == decided else ' '} {step:>4}  {text}" for step, text in finding.story]
     left_out = len(story) - _FIRST - _LAST
     if left_out > 1:
         story[_FIRST:-_LAST] = [f"        … {left_out} events …"]
@@ -270,6 +275,8 @@ def _counterexample_lines(finding: Finding, head: str, tick_ms: int) -> Sequence
             if whole
             else f"        from step {counterexample.repeats_from} on again and again"
         )
+    if why is not None:
+        lines += _why_lines(why, tick_ms)
     confirmed = finding.confirmed
     if confirmed is None:
         lines.append("  not reproduced in the simulator")
@@ -280,3 +287,20 @@ def _counterexample_lines(finding: Finding, head: str, tick_ms: int) -> Sequence
         + (f" ({', '.join(harms)})" if harms else "")
     )
     return lines
+
+
+def _why_lines(why: RunExplanation, tick_ms: int) -> Iterator[str]:
+    """Why it is broken, and another way from the moment that decided it."""
+    if why.left_out:
+        yield f"  {why.left_out} event{'' if why.left_out == 1 else 's'} left out that it does not need"
+    for number, sentence in enumerate(why.sentences):
+        yield f"  {'why:' if number == 0 else '    '}  {sentence}"
+    if why.other is not None and why.other.story:
+        yield f"  another way from step {why.step} on{', to a good end' if why.other.ends_well else ''}:"
+        yield from (f"  {step:>4}  {text}" for step, text in why.other.story[:_OTHER])
+        if len(why.other.story) > _OTHER:
+            yield f"        … {len(why.other.story) - _OTHER} events …"
+    if why.tick >= 0:
+        yield f"  decided in the simulator at {why.tick * tick_ms / 1000:.2f} s"
+    if why.without_failures is not None:
+        yield f"  kept there without the failure at {why.without_failures.tick * tick_ms / 1000:.2f} s"
