@@ -245,7 +245,9 @@ def verify_runs(
         if column_done is not None:
             column_done(column)
         if not all(finding.searched for finding in column.findings):
-            column = Column(judged, tuple(search.of(column.findings, model, judged.states if judged.complete else None)))
+            column = Column(
+                judged, tuple(search.of(column.findings, model, judged.states if judged.complete else None))
+            )
             if column_done is not None:
                 column_done(column)
         columns.append(column)

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from kitrobot.mission.property_forms import AskedProperty
     from kitrobot.verifier.exploration.budget import CutReason
     from kitrobot.verifier.model.timing import Timing
+    from kitrobot.verifier.report.replay import ConfirmedRun
 
 _MEGA = 1_000_000
 _ELSEWHERE = Sentence("ask it of runs (`kitrobot judge --by runs`), of failures or of a recording")
@@ -257,7 +258,7 @@ def _answer_text(finding: Finding) -> str:
 
 
 def _counterexample_lines(finding: Finding, head: str, tick_ms: int) -> Sequence[str]:
-    """The lines of one broken property: its demand, the counterexample, why, and whether the simulator confirms it."""
+    """The lines of one broken property: its demand, the counterexample, whether the simulator confirms it, and why."""
     verdict, counterexample = finding.verdict, finding.verdict.counterexample
     assert counterexample is not None
     lines = [f"{verdict.property.name} ({head}): not always: {verdict.property.sentence}"]
@@ -275,18 +276,19 @@ def _counterexample_lines(finding: Finding, head: str, tick_ms: int) -> Sequence
             if whole
             else f"        from step {counterexample.repeats_from} on again and again"
         )
+    lines.append(_confirmed_line(finding.confirmed, tick_ms))
     if why is not None:
         lines += _why_lines(why, tick_ms)
-    confirmed = finding.confirmed
-    if confirmed is None:
-        lines.append("  not reproduced in the simulator")
-        return lines
-    harms = [f"{harm.agent}: {harm.kind} at {harm.tick * tick_ms / 1000:.2f} s" for harm in confirmed.faults]
-    lines.append(
-        f"  confirmed in the simulator: seed {confirmed.seed}, at {confirmed.tick * tick_ms / 1000:.2f} s"
-        + (f" ({', '.join(harms)})" if harms else "")
-    )
     return lines
+
+
+def _confirmed_line(confirmed: ConfirmedRun | None, tick_ms: int) -> str:
+    """Whether the simulator shows it too."""
+    if confirmed is None:
+        return "  not reproduced in the simulator"
+    harms = [f"{harm.agent}: {harm.kind} at {harm.tick * tick_ms / 1000:.2f} s" for harm in confirmed.faults]
+    words = f"  confirmed in the simulator: seed {confirmed.seed}, at {confirmed.tick * tick_ms / 1000:.2f} s"
+    return f"{words} ({', '.join(harms)})" if harms else words
 
 
 def _why_lines(why: RunExplanation, tick_ms: int) -> Iterator[str]:

@@ -95,11 +95,11 @@ class _Explainer:
         if run.repeats_from >= 0:
             stem = Counterexample(run.states[: run.repeats_from + 1], run.steps[: run.repeats_from])
             loop = Counterexample(run.states[run.repeats_from :], run.steps[run.repeats_from :])
-        used = sum(is_fault(event) for event in events_of(run.steps))
-        for failures in range(min(used, self._model.failures)):
-            if found := search.find_with_failures(failures, self._most):
-                stem = found
-                break
+        used = min(sum(map(is_fault, events_of(run.steps))), self._model.failures)
+        found = (search.find_with_failures(failures, self._most) for failures in range(used + 1))
+        shortest = next((one for one in found if one is not None), stem) if self._fits else stem
+        if _size(shortest) < _size(stem):
+            stem = shortest
         smaller = minimize_run(stem, search)
         nodes = follow_run(self._memory, smaller)
         if len(nodes) < len(smaller.states):
@@ -119,3 +119,9 @@ class _Explainer:
             steps = (*loop.steps[at:], *loop.steps[:at])
             loop = Counterexample((stem.states[-1], *(step.state for step in steps)), steps)
         return Counterexample((*stem.states, *loop.states[1:]), (*stem.steps, *loop.steps), begin)
+
+
+def _size(run: Counterexample) -> tuple[int, int]:
+    """How large a run is: its failures, then its events."""
+    events = events_of(run.steps)
+    return sum(map(is_fault, events)), len(events)

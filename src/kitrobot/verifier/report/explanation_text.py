@@ -6,10 +6,11 @@ from collections.abc import Iterator, Sequence
 
 from kitrobot.text.sentences import COMMA, Sentence, Series
 from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.model.timing import Timing
 from kitrobot.verifier.properties.properties import Property
 from kitrobot.verifier.properties.verdicts import Counterexample
 from kitrobot.verifier.report.avoidance import Avoidance, Certainty
-from kitrobot.verifier.report.counterexample_text import describe_any_step
+from kitrobot.verifier.report.counterexample_text import describe_any_step, describe_step
 from kitrobot.verifier.report.minimization import is_fault
 from kitrobot.verifier.tables.bodies import RUNS
 
@@ -40,7 +41,8 @@ def _what_happened(model: Model, one: Property, run: Counterexample) -> Sentence
     if not run.steps:
         return Sentence("the very first state breaks `{property}`", one.name)
     events = describe_any_step(model, run.states[-2], run.steps[-1])
-    return Sentence("{event}: this breaks `{property}`", _joined(events[-1:]), one.name)
+    told = events[-1:] if _has_events(model, run, len(run.steps) - 1) else events
+    return Sentence("{event}: this breaks `{property}`", _joined(told), one.name)
 
 
 def _waiting(model: Model, run: Counterexample) -> Iterator[str]:
@@ -59,26 +61,49 @@ def _what_decided(model: Model, run: Counterexample, avoidance: Avoidance) -> It
     if other is None:
         yield Sentence("the search ended before it knew whether it could be avoided: more time may tell")
         return
-    taken = _said(model, run, at)
-    instead = _said(model, other, at)
-    decided = [one for one in taken if one not in instead] or taken
+    taken, instead = _said(model, run, at), _said(model, other, at)
     if avoidance.certainty is Certainty.ALWAYS:
         yield Sentence("it is never too late: what is waited for can still come")
-    elif avoidance.certainty is Certainty.UNKNOWN:
+        yield from _what_helps(model, other, at)
+        return
+    if model.timing is Timing.LOCKSTEP and not _has_events(model, other, at):
+        # That all go on in their programs is no other way, where they do in any case.
+        instead = []
+    decided = [one for one in taken if one not in instead] or taken
+    others = [one for one in instead if one not in taken]
+    if avoidance.certainty is Certainty.UNKNOWN:
         yield Sentence("this is the last moment known at which it could still be avoided: {events}", _joined(decided))
     elif run.repeats_from < 0 and at == len(run.steps) - 1:
         yield Sentence("until that very moment it could still be avoided")
+    elif others and model.timing is Timing.LOCKSTEP and not _has_events(model, run, at):
+        yield Sentence("it is decided because this does not come yet: {events}", _joined(others))
+        yield Sentence("it does not break if that comes in time")
+        return
     else:
         yield Sentence("this decides it: {events}", _joined(decided))
-    others = [one for one in instead if one not in taken]
-    if at < len(run.steps) and any(is_fault(event) for event in run.steps[at].events):
+    if any(is_fault(event) for event in run.steps[at].events):
         yield Sentence("it does not break without that failure")
-    elif others and any(one in _said(model, other, later) for later in range(at + 1, len(other.steps)) for one in decided):
+    elif others and any(
+        one in _said(model, other, later) for later in range(at + 1, len(other.steps)) for one in decided
+    ):
         yield Sentence("it does not break if this comes first: {events}", _joined(others))
     elif others:
         yield Sentence("it does not break if this happens instead: {events}", _joined(others))
-    elif decided:
+    else:
         yield Sentence("it does not break if that comes later, or not at all")
+
+
+def _what_helps(model: Model, other: Counterexample, at: int) -> Iterator[Sentence]:
+    """The first event of the other way that comes by itself, as far as there is one."""
+    for step in range(at, len(other.steps)):
+        if _has_events(model, other, step):
+            yield Sentence("it comes after this: {events}", _joined(_said(model, other, step)))
+            return
+
+
+def _has_events(model: Model, run: Counterexample, at: int) -> bool:
+    """Whether anything but ticks happens in a step; False behind the end."""
+    return at < len(run.steps) and any(True for _ in describe_step(model, run.states[at], run.steps[at], {}))
 
 
 def _said(model: Model, run: Counterexample, at: int) -> list[Sentence]:

@@ -125,14 +125,27 @@ def minimize_run(run: Counterexample, search: RunSearch) -> Counterexample:
     for group in _groups(events_of(best.steps)):
         smaller = search.find([event for event in events_of(best.steps) if not group(event)])
         best = smaller or best
+    best = _without_late_events(best, search)
     size = len(events_of(best.steps)) // 2
     while size > 0:
         at, is_smaller = 0, False
         while at < len(events := events_of(best.steps)):
             smaller = search.find([*events[:at], *events[at + size :]])
-            # From the last event on: what came late can be left out most often.
             best, at, is_smaller = (smaller, at, True) if smaller else (best, at + size, is_smaller)
         size = size if size == 1 and is_smaller else size // 2
+    return best
+
+
+def _without_late_events(run: Counterexample, search: RunSearch) -> Counterexample:
+    """The run in which each agent does no more from an event of its own on, as early as that can be."""
+    best = run
+    for agent in dict.fromkeys(event.agent for event in events_of(run.steps)):
+        own = [at for at, event in enumerate(events_of(best.steps)) if event.agent == agent]
+        for begin in own:
+            rest = [event for at, event in enumerate(events_of(best.steps)) if at < begin or event.agent != agent]
+            if smaller := search.find(rest):
+                best = smaller
+                break
     return best
 
 

@@ -52,7 +52,9 @@ class PropertyMemory:
         history = self._history(0, None, state)
         if history == BROKEN:
             return None
-        waits = (self.holds(wait, state) and (one.since is None or self.holds(one.since, state)) for wait in self._waits)
+        waits = (
+            self.holds(wait, state) and (one.since is None or self.holds(one.since, state)) for wait in self._waits
+        )
         return history, *map(int, waits)
 
     def after(self, memory: Memory, before: State, kinds: int, state: State) -> Memory | None:

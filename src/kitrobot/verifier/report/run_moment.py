@@ -98,7 +98,8 @@ def _ticks_of(
 def _has_swung(run: Simulation, robot: int, kind: int) -> bool:
     events = run.state.events
     return any(
-        events[at] == kind and events[at + 1] == robot for at in range(0, c.EVENT * int(run.state.clock[c.EVENTS]), c.EVENT)
+        events[at] == kind and events[at + 1] == robot
+        for at in range(0, c.EVENT * int(run.state.clock[c.EVENTS]), c.EVENT)
     )
 
 

@@ -1,0 +1,162 @@
+"""Why a property broke: what is needed for it, when it was decided, and what would have avoided it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from kitrobot.checking.verification import Finding, VerificationOptions, verify, verify_runs
+from kitrobot.mission.property_forms import AskedProperty, Form
+from kitrobot.sim.simulation import Simulation
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.report.avoidance import Certainty
+from kitrobot.verifier.report.minimization import events_of
+from tests.sim.building import empty_world, run_of, transport
+from tests.verifier.check_fixtures import mutant
+from tests.verifier.test_brute_force import ROBOT
+from tests.verifier.test_known_answers import FALL, UNCOUNTED
+
+
+def robots(**programs: str) -> Simulation:
+    """Robots with a button each and these programs, which share `Flag` and `Count`."""
+    places = {name: (200.0 + 300 * number, 600.0, 0.0) for number, name in enumerate(programs)}
+    return run_of({name: (ROBOT, text) for name, text in programs.items()}, empty_world(**places), seconds=20.0)
+
+
+def explained(run: Simulation, timing: Timing, *asked: AskedProperty, name: str = "", failures: int = 0) -> Finding:
+    """The last finding about one property, with why it is broken; the simulator is not asked."""
+    names = (name,) if name else ()
+    options = VerificationOptions(names, (timing,), failures, seconds=None, confirms=False, explains=True, asked=asked)
+    found = verify_runs(lambda seed: run, 1, options).columns[-1].findings[-1]
+    assert found.why is not None
+    assert len(found.why.sentences) <= 3
+    return found
+
+
+def sentences(finding: Finding) -> list[str]:
+    assert finding.why is not None
+    return [str(one) for one in finding.why.sentences]
+
+
+NEVER_TWO = AskedProperty("two", Form.NEVER, "any a (Count.EqualTo(2))")
+
+
+def test_the_reading_that_decides_is_named_and_so_is_the_other_one() -> None:
+    run = robots(a="WAIT(1); [Button.IsPressed()]( WAIT(1); Count.Set(2); );")
+    found = explained(run, Timing.LOCKSTEP, NEVER_TWO)
+    assert found.why is not None
+    assert found.why.certainty is Certainty.LAST
+    told = sentences(found)
+    assert told[1] == "this decides it: a reads Button = true"
+    assert told[2] == "it does not break if this happens instead: a reads Button = false"
+    # What comes after it changes nothing any more.
+    counterexample = found.verdict.counterexample
+    assert counterexample is not None
+    assert found.why.step < len(counterexample.steps) - 1
+    assert found.why.other is not None
+    assert found.why.other.ends_well
+
+
+def test_where_every_order_breaks_it_nothing_could_have_avoided_it() -> None:
+    found = explained(robots(a="WAIT(1); Count.Set(2);", b="Flag.Set(1);"), Timing.FREE, NEVER_TWO)
+    assert found.why is not None
+    assert found.why.certainty is Certainty.NEVER
+    assert (found.why.step, found.why.other) == (-1, None)
+    assert sentences(found)[1].startswith("every order of events breaks it")
+
+
+def test_the_one_who_comes_first_decides() -> None:
+    """Two that look whether they are the first: whoever lags after it has looked comes second all the same."""
+    first = "WAIT(1); <Flag.IsFalse()>( WAIT(1); Flag.Set(1); Count.Add(1); );"
+    found = explained(robots(a=first, b=first), Timing.FREE, NEVER_TWO)
+    assert found.why is not None
+    assert found.why.certainty is Certainty.LAST
+    assert "goes on in its program" in sentences(found)[1]
+    assert "goes on in its program" in sentences(found)[2]
+
+
+def test_a_failure_that_is_not_needed_is_left_out() -> None:
+    """With it the property breaks sooner, but it breaks without it too."""
+    run = robots(
+        a="WAIT(1); *[Flag.IsTrue()]( WAIT(1); ); Count.Set(2);",
+        b="Flag.Set(1); WAIT(3); Flag.Set(0);",
+    )
+    found = explained(run, Timing.LOCKSTEP, NEVER_TWO, failures=1)
+    counterexample = found.verdict.counterexample
+    assert found.why is not None
+    assert counterexample is not None
+    assert events_of(counterexample.steps) == []
+    assert found.why.left_out > 0
+    assert found.why.certainty is Certainty.NEVER
+
+
+def test_a_failure_that_is_needed_decides(tmp_path: Path) -> None:
+    made = verify(
+        mutant(tmp_path, stock=1, carriers=1),
+        VerificationOptions(("deadlock",), (Timing.LOCKSTEP,), failures=1, seconds=None, explains=True),
+    )
+    found = made.columns[-1].findings[0]
+    assert found.why is not None
+    assert found.confirmed is not None
+    assert sentences(found)[2] == "it does not break without that failure"
+    assert found.why.tick == found.confirmed.faults[0].tick
+    assert found.why.without_failures is not None
+    assert found.why.without_failures.faults == ()
+
+
+def test_the_stem_of_a_wait_in_vain_has_no_more_than_it_needs(tmp_path: Path) -> None:
+    run = mutant(tmp_path, FALL, carriers=1, stock=2).again()
+    found = explained(run, Timing.FREE, name="end")
+    assert found.why is not None
+    assert found.why.left_out > 10
+    assert sentences(found)[0].startswith("nothing happens any more: carrier-1, loader")
+    assert sentences(found)[2].startswith("it does not break if this comes first: loader goes on in its program")
+
+
+def test_a_loop_that_can_be_left_at_any_time_is_never_too_late() -> None:
+    """Whoever presses the button ends it; nobody need."""
+    run = robots(a="*[!(Button.IsPressed())]( WAIT(1); ); Count.Set(1);")
+    ends = AskedProperty("ends", Form.EVENTUALLY, "any a (Count.EqualTo(1))")
+    found = explained(run, Timing.LOCKSTEP, ends)
+    assert found.why is not None
+    assert found.why.certainty is Certainty.ALWAYS
+    assert sentences(found)[1] == "it is never too late: what is waited for can still come"
+    assert sentences(found)[2] == "it comes after this: a reads Button = true"
+
+
+def test_the_moment_is_found_again_in_the_run_of_the_simulator(tmp_path: Path) -> None:
+    made = verify(
+        mutant(tmp_path, UNCOUNTED, stock=1),
+        VerificationOptions(("empty-storehouse",), (Timing.LOCKSTEP,), seconds=None, explains=True, draws=True),
+    )
+    found = made.columns[0].findings[0]
+    assert found.why is not None
+    assert found.confirmed is not None
+    assert 0 < found.why.tick < found.confirmed.tick
+    assert "carrier-2 comes to ring 0–80 mm" in sentences(found)[1]
+    assert found.why.other is not None
+    assert found.why.other.scenes[0].step == found.why.step
+    assert any(step == found.why.step for step, _ in found.story)
+    told = made.to_json()["checks"][0]["properties"][0]["why"]
+    assert told["sentences"] == sentences(found)
+    assert told["seconds"] == found.why.tick * made.tick_ms / 1000
+    assert told["other_way"]["ends_well"]
+
+
+def test_what_was_not_looked_at_in_time_is_not_claimed(tmp_path: Path) -> None:
+    """A clock that has run out leaves the run as it was found."""
+    moment = 0.0
+
+    def clock() -> float:
+        nonlocal moment
+        moment += 0.01
+        return moment
+
+    run = mutant(tmp_path, UNCOUNTED, stock=1).again()
+    options = VerificationOptions(
+        ("empty-storehouse",), (Timing.LOCKSTEP,), seconds=3.0, confirms=False, explains=True, clock=clock
+    )
+    found = verify_runs(lambda seed: run, 1, options).columns[0].findings[0]
+    if found.why is not None:
+        assert found.why.certainty in (Certainty.UNKNOWN, Certainty.LAST)
