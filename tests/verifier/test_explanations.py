@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import pytest
-
 from kitrobot.checking.verification import Finding, VerificationOptions, verify, verify_runs
 from kitrobot.mission.property_forms import AskedProperty, Form
 from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier.model.timing import Timing
 from kitrobot.verifier.report.avoidance import Certainty
 from kitrobot.verifier.report.minimization import events_of
-from tests.sim.building import empty_world, run_of, transport
+from tests.sim.building import empty_world, run_of
 from tests.verifier.check_fixtures import mutant
 from tests.verifier.test_brute_force import ROBOT
 from tests.verifier.test_known_answers import FALL, UNCOUNTED

@@ -9,6 +9,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import pytest
 
@@ -20,7 +21,7 @@ from kitrobot.verifier.model.abstraction import abstract_run
 from kitrobot.verifier.model.model import Model, State
 from kitrobot.verifier.model.timing import Timing
 from kitrobot.verifier.properties.custom_properties import build_custom_property, property_variables
-from kitrobot.verifier.properties.properties import BROKEN, Condition, Property, ready_properties
+from kitrobot.verifier.properties.properties import BROKEN, Condition, Property
 from kitrobot.verifier.properties.verdicts import Counterexample, Step, check_properties
 from kitrobot.verifier.report.avoidance import Certainty
 from kitrobot.verifier.report.explanation import Explanation, explain_run
@@ -90,16 +91,13 @@ class Memory:
             return any(self.holds(one.never, state) for state in states)
         if one.breaks is not None:
             was, now = one.breaks
-            return any(
-                self.holds(was, before) and self.holds(now, after)
-                for before, after in zip(states, states[1:], strict=False)
-            )
+            return any(self.holds(was, before) and self.holds(now, after) for before, after in pairwise(states))
         if one.history is not None:
-            memory, before = 0, (False,) * len(one.history.conditions)
+            memory, had = 0, (False,) * len(one.history.conditions)
             for state in states:
                 now = tuple(self.holds(condition, state) for condition in one.history.conditions)
-                comes = tuple(new and not old for new, old in zip(now, before, strict=True))
-                memory, before = one.history.step(memory, now, comes), now
+                comes = tuple(new and not old for new, old in zip(now, had, strict=True))
+                memory, had = one.history.step(memory, now, comes), now
                 if memory == BROKEN:
                     return True
         return False

@@ -52,7 +52,8 @@ class RunExplanation:
         step: the step that decided it, from 0; -1: there is none, or none is known.
         left_out: how many events of the run that was found first are left out, since they are not needed.
         other: another way from there; None without a step.
-        tick: of the run of the simulator that confirms it, the step before which it was decided; -1 if that cannot be told.
+        tick: of the run of the simulator that confirms it, the step before which it was decided; -1 if that is not
+            known.
         without_failures: the same run of the simulator without its last failures, which keeps the property; its `tick`
             is that of the first one that is missing. None without failures, or if it breaks the property all the same.
     """
@@ -86,7 +87,7 @@ class RunExplanation:
 def explain_verdict(
     model: Model, verdict: Verdict, states: int | None, budget: Budget, draws: bool
 ) -> tuple[Verdict, Explanation, RunExplanation] | None:
-    """The verdict with a smaller run, and why it is broken; None where it is not, or where its first state breaks it."""
+    """The verdict with a smaller run, and why it is broken; None where it is not, or its first state breaks it."""
     if verdict.counterexample is None:
         return None
     found = explain_run(model, verdict.property, verdict.counterexample, states, budget)

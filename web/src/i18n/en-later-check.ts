@@ -115,7 +115,7 @@ export const CHECK_EN = {
   "check.real": "Real robots are running. Stop them before a run is played.",
   "check.why": "Why it broke",
   "check.decides": "This decides it",
-  "check.play-moment": "Play from the moment that decided it, {time}",
+  "check.play-moment": "Play from {time}",
   "check.play-kept": "Play it without the failure",
   "check.other-way": "The other way",
   "check.other-well": "From the moment that decided it, the model can also go this way, to a good end:",

@@ -35,7 +35,7 @@ def describe_step(model: Model, before: State, step: Step, said: dict[tuple[int,
         model: the model.
         before: the state before the step.
         step: the step.
-        said: the values of readings that were said last, by agent and sensor; they are not said again, and it is changed.
+        said: the values of readings that were said last, by agent and sensor: they are not said again. It is changed.
     """
     for event in step.events:
         if event.what is not EventKind.TICK:

@@ -58,7 +58,7 @@ class RunSearch:
         return self._search(lambda state, step, count: count + self._coming(state, step, wanted, count), MOST_PLACES)
 
     def find_with_failures(self, failures: int, most: int) -> Counterexample | None:
-        """A shortest run with so many failures at most that breaks the property, among so many states; None for none."""
+        """A shortest run with so many failures at most that breaks the property, among so many states; None: none."""
         model = self.successors.space.model
         least = model.failures - failures
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from array import array
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 from kitrobot.verifier.exploration import engines
@@ -73,7 +74,7 @@ class Successors:
     def run_through(self, states: Sequence[State]) -> Counterexample:
         """The run through states that follow each other."""
         steps = []
-        for before, after in zip(states, states[1:], strict=False):
+        for before, after in pairwise(states):
             taken = next(step for step in self.of(before) if step.state == after)
             steps.append(Step(self.events(before, taken), after))
         return Counterexample(tuple(states), tuple(steps))

@@ -62,8 +62,9 @@ class PropertyMemory:
 
         Args:
             memory: the memory before the step.
-            before, state: the state before the step, and after it.
+            before: the state before it.
             kinds: the kinds of its events, as bits.
+            state: the state after it.
         """
         one = self._one
         if kinds & self._kinds or (one.never is not None and self.holds(one.never, state)):
