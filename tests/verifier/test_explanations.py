@@ -4,11 +4,20 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from kitrobot.checking.verification import Finding, VerificationOptions, verify, verify_runs
 from kitrobot.mission.property_forms import AskedProperty, Form
 from kitrobot.sim.simulation import Simulation
+from kitrobot.verifier.exploration.budget import Budget
+from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.model.timing import Timing
-from kitrobot.verifier.report.avoidance import Certainty
+from kitrobot.verifier.properties.custom_properties import build_custom_property, property_variables
+from kitrobot.verifier.properties.verdicts import check_properties
+from kitrobot.verifier.report.avoidance import Avoidance, Certainty
+from kitrobot.verifier.report.explanation import explain_run
+from kitrobot.verifier.report.explanation_text import describe_explanation
 from kitrobot.verifier.report.minimization import events_of
 from tests.sim.building import empty_world, run_of
 from tests.verifier.check_fixtures import mutant
@@ -142,19 +151,28 @@ def test_the_moment_is_found_again_in_the_run_of_the_simulator(tmp_path: Path) -
     assert told["other_way"]["ends_well"]
 
 
-def test_what_was_not_looked_at_in_time_is_not_claimed(tmp_path: Path) -> None:
-    """A clock that has run out leaves the run as it was found."""
-    moment = 0.0
+@pytest.mark.parametrize("calls", [0, 40, 400])
+def test_what_was_not_looked_at_in_time_is_not_claimed(calls: int) -> None:
+    """Time is up as soon as the explanation begins, or soon after: what is said then is that the search ended."""
+    run = robots(a="WAIT(1); [Button.IsPressed()]( WAIT(1); Count.Set(2); );")
+    model = Model(run, abstract_run(run, property_variables(run, [NEVER_TWO])))
+    one = build_custom_property(model, NEVER_TWO)
+    made = check_properties(model, [one], Budget(1_000))
+    found = made.verdicts[0].counterexample
+    assert found is not None
+    asked = 0
 
-    def clock() -> float:
-        nonlocal moment
-        moment += 0.01
-        return moment
+    def stop() -> bool:
+        nonlocal asked
+        asked += 1
+        return asked > calls
 
-    run = mutant(tmp_path, UNCOUNTED, stock=1).again()
-    options = VerificationOptions(
-        ("empty-storehouse",), (Timing.LOCKSTEP,), seconds=3.0, confirms=False, explains=True, clock=clock
-    )
-    found = verify_runs(lambda seed: run, 1, options).columns[0].findings[0]
-    if found.why is not None:
-        assert found.why.certainty in (Certainty.UNKNOWN, Certainty.LAST)
+    told = explain_run(model, one, found, made.states, Budget(stop=stop))
+    assert told is not None
+    words = [str(sentence) for sentence in describe_explanation(model, one, told.run, told.avoidance)]
+    if calls == 0:
+        assert told.run == found
+        assert told.avoidance == Avoidance(Certainty.UNKNOWN)
+        assert words[1:] == ["the search ended before it knew whether it could be avoided: more time may tell"]
+    if calls == 400:
+        assert words[1] == "this decides it: a reads Button = true"

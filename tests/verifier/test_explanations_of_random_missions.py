@@ -294,6 +294,29 @@ def test_the_moment_is_the_last_one_from_which_another_way_keeps_the_property(fa
     assert found[Certainty.UNKNOWN] == 0
 
 
+@pytest.mark.parametrize("most", [3, 10, 10_000])
+def test_from_the_end_backwards_it_finds_the_same_moment_or_says_that_it_does_not_know(most: int) -> None:
+    """As in a mission that is too large to be looked at as a whole."""
+    same = unknown = 0
+    for seed in range(examples(40, 1000)):
+        rng = random.Random(seed)
+        run, texts = branching_run(rng)
+        asked = explained(run, random_property(rng), Timing.LOCKSTEP, 0)
+        if asked is None:
+            continue
+        again = explain_run(asked.model, asked.one, asked.told.run, None, Budget(most))
+        assert again is not None
+        whole, avoidance = asked.told.avoidance, again.avoidance
+        if avoidance.certainty is Certainty.UNKNOWN:
+            unknown += 1
+            assert avoidance.step <= max(whole.step, len(asked.told.run.steps))
+        elif again.run == asked.told.run:
+            assert (avoidance.certainty, avoidance.step) == (whole.certainty, whole.step), (seed, texts)
+            same += 1
+    assert same > 5
+    assert (unknown > 0) == (most < 100)
+
+
 LOADED = AskedProperty("loaded", Form.NEVER, "any carrier-1 (Cargo.IsPressed())")
 
 
