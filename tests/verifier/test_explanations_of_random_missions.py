@@ -90,8 +90,8 @@ class Memory:
         if one.never is not None:
             return any(self.holds(one.never, state) for state in states)
         if one.breaks is not None:
-            was, now = one.breaks
-            return any(self.holds(was, before) and self.holds(now, after) for before, after in pairwise(states))
+            first, second = one.breaks
+            return any(self.holds(first, before) and self.holds(second, after) for before, after in pairwise(states))
         if one.history is not None:
             memory, had = 0, (False,) * len(one.history.conditions)
             for state in states:
