@@ -14,11 +14,13 @@ from kitrobot.verifier.model.abstraction import abstract_run
 from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.model.timing import Timing
 from kitrobot.verifier.properties.custom_properties import build_custom_property, property_variables
+from kitrobot.verifier.properties.properties import ready_properties
 from kitrobot.verifier.properties.verdicts import check_properties
 from kitrobot.verifier.report.avoidance import Avoidance, Certainty
 from kitrobot.verifier.report.explanation import explain_run
 from kitrobot.verifier.report.explanation_text import describe_explanation
 from kitrobot.verifier.report.minimization import events_of
+from kitrobot.verifier.tables.motion import Move
 from tests.sim.building import empty_world, run_of
 from tests.verifier.check_fixtures import mutant
 from tests.verifier.test_brute_force import ROBOT
@@ -176,3 +178,22 @@ def test_what_was_not_looked_at_in_time_is_not_claimed(calls: int) -> None:
         assert words[1:] == ["the search ended before it knew whether it could be avoided: more time may tell"]
     if calls == 400:
         assert words[1] == "this decides it: a reads Button = true"
+
+
+def test_in_a_mission_too_large_to_look_at_a_walk_shows_that_it_could_be_avoided(tmp_path: Path) -> None:
+    stop = '<vertex id="v15" element="Wheel.Stop"/>'
+    run = mutant(tmp_path, (stop, stop.replace("Wheel.Stop", "Lamp.LightOn")), carriers=3, stock=4).again()
+    model = Model(run, abstract_run(run), 0, Timing.PROMPT)
+    [contact] = [one for one in ready_properties(model) if one.name == "contact"]
+    found = check_properties(model, [contact], Budget(2_000)).verdicts[0].counterexample
+    assert found is not None
+    told = explain_run(model, contact, found, None, Budget(100))
+    assert told is not None
+    avoidance = told.avoidance
+    assert (avoidance.certainty, avoidance.step) == (Certainty.LAST, len(told.run.steps) - 1)
+    assert avoidance.ends_well
+    other = avoidance.other
+    assert other is not None
+    assert other.states[: avoidance.step + 1] == told.run.states[: avoidance.step + 1]
+    assert all(event.what is not Move.TOUCH for event in events_of(other.steps))
+    assert model.goals_hold(model.shareds()[other.states[-1][0]])

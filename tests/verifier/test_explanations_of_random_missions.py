@@ -313,6 +313,8 @@ def test_from_the_end_backwards_it_finds_the_same_moment_or_says_that_it_does_no
         elif again.run == asked.told.run:
             assert (avoidance.certainty, avoidance.step) == (whole.certainty, whole.step), (seed, texts)
             same += 1
+        if avoidance.other is not None:
+            assert can_keep(asked, avoidance.other.states), (seed, texts)
     assert same > 5
     assert (unknown > 0) == (most < 100)
 

@@ -23,6 +23,9 @@ from kitrobot.verifier.report.replay import ConfirmedRun
 from kitrobot.verifier.report.run_moment import find_run_moment, find_run_without_failures
 from kitrobot.verifier.report.storyboard import Scene, draw_scenes
 
+MOST_EVENTS = 600
+"""Events of another way that are told: the first ones."""
+
 Story = tuple[tuple[int, Sentence], ...]
 """The events of a run in sentences, each with its step."""
 
@@ -109,8 +112,9 @@ def _other_way(model: Model, found: Explanation, draws: bool) -> OtherWay | None
     if run is None:
         return None
     story = tuple((step, text) for step, text in describe_story(model, run, at) if step >= at)
-    scenes = tuple(scene for scene in draw_scenes(model, run) if scene.step >= at) if draws else ()
-    return OtherWay(story, found.avoidance.ends_well, scenes)
+    rest = Counterexample(run.states[at:], run.steps[at:])
+    scenes = tuple(replace(scene, step=scene.step + at) for scene in draw_scenes(model, rest)) if draws else ()
+    return OtherWay(story[:MOST_EVENTS], found.avoidance.ends_well, scenes)
 
 
 def describe_story(model: Model, run: Counterexample, decided: int = -1) -> Story:

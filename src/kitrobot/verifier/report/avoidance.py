@@ -14,9 +14,15 @@ from enum import Enum
 
 from kitrobot.verifier.properties.properties import Property
 from kitrobot.verifier.properties.verdicts import Counterexample, Step
+from kitrobot.verifier.report.keeping_walk import find_keeping_walk
 from kitrobot.verifier.report.property_graph import FAULTS, Node, PropertyGraph, Successor, Successors
 from kitrobot.verifier.report.property_memory import PropertyMemory
 from kitrobot.verifier.tables.events import Event, EventKind
+
+_PART = 10
+"""Of a large mission so small a part of the nodes is looked at first."""
+_NEAR = 500
+"""Nodes that are looked at behind the end of a walk."""
 
 
 class Certainty(Enum):
@@ -79,6 +85,25 @@ def find_avoidance(
         from_start: whether all nodes are worth looking at first; else only those behind ever earlier states.
     """
     nodes = follow_run(memory, run)
+    if from_start:
+        return _search(successors, memory, one, run, nodes, most, from_start)
+    # Of a large mission a little is looked at first: a walk often shows more in less time.
+    found = _search(successors, memory, one, run, nodes, most // _PART, from_start)
+    if found.certainty is Certainty.UNKNOWN and found.other is None:
+        return _search(successors, memory, one, run, nodes, most, from_start)
+    return found
+
+
+def _search(
+    successors: Successors,
+    memory: PropertyMemory,
+    one: Property,
+    run: Counterexample,
+    nodes: Sequence[Node],
+    most: int,
+    from_start: bool,
+) -> Avoidance:
+    """The same, of the nodes of the run."""
     doomed = len(nodes)
     for start in _starts(len(nodes), from_start):
         graph = PropertyGraph(successors, memory, nodes[start], most)
@@ -96,9 +121,29 @@ def find_avoidance(
                 )
             return _avoided(keeping, numbers[at], run, start + at, certainty)
         if not all(number in keeping.lost for number in numbers):
-            return Avoidance(Certainty.UNKNOWN)
+            return _walked(successors, memory, one, run, nodes[:doomed])
         doomed = start
     return Avoidance(Certainty.NEVER)
+
+
+def _walked(
+    successors: Successors, memory: PropertyMemory, one: Property, run: Counterexample, nodes: Sequence[Node]
+) -> Avoidance:
+    """What walks from ever earlier nodes show; from what is behind these nodes the property cannot be kept."""
+
+    def can_stay(node: Node) -> bool:
+        return 0 in KeepingNodes(PropertyGraph(successors, memory, node, _NEAR), one, memory.waits).able
+
+    for at in _starts(len(nodes), from_start=False):
+        walk = find_keeping_walk(successors, memory, nodes[at], can_stay)
+        if walk is not None:
+            states = (*run.states[: at + 1], *(step.state for step in walk.steps))
+            other = Counterexample(states, (*run.steps[:at], *walk.steps))
+            certainty = Certainty.LAST if at == len(nodes) - 1 else Certainty.UNKNOWN
+            if 0 <= run.repeats_from <= at:
+                certainty = Certainty.ALWAYS
+            return Avoidance(certainty, at, other, walk.ends_well)
+    return Avoidance(Certainty.UNKNOWN)
 
 
 def _starts(count: int, from_start: bool) -> Iterator[int]:

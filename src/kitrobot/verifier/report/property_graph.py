@@ -71,6 +71,13 @@ class Successors:
             found = self._events[key] = self.space.events_from(state, step.place)
         return found
 
+    def has_good_end(self, state: State) -> bool:
+        """Whether every goal is reached in a state or, in a mission without goals, every program has ended."""
+        model = self.space.model
+        if model.goals:
+            return model.goals_hold(model.shareds()[state[0]])
+        return all(model.has_ended(i, model.inside(i, state[1 + i])) for i in range(model.count))
+
     def run_through(self, states: Sequence[State]) -> Counterexample:
         """The run through states that follow each other."""
         steps = []
@@ -140,11 +147,8 @@ class PropertyGraph:
         return self._successors.events(self.nodes[number][0], step)
 
     def has_good_end(self, number: int) -> bool:
-        """Whether every goal is reached in a node or, in a mission without goals, every program has ended."""
-        model, (state, _) = self._successors.space.model, self.nodes[number]
-        if model.goals:
-            return model.goals_hold(model.shareds()[state[0]])
-        return all(model.has_ended(i, model.inside(i, state[1 + i])) for i in range(model.count))
+        """The same as of the successors, of a node."""
+        return self._successors.has_good_end(self.nodes[number][0])
 
     def standstills(self, one: Property) -> set[int]:
         """The nodes in which the mission stands still before it is done."""
