@@ -93,6 +93,9 @@ def verify_mission(
 ) -> None:
     """Check what can go wrong in a mission, whatever the order of events; or whether recordings keep its properties.
 
+    A broken property is shown as a run without the events that it does not need, with the moment that decided it and
+    another way from there.
+
     The exit status is 0 when every property holds wherever it was checked, 1 when one is broken, and 3 when none is
     and a search was not finished.
     """
