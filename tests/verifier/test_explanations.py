@@ -10,6 +10,7 @@ from kitrobot.checking.verification import Finding, VerificationOptions, verify,
 from kitrobot.mission.property_forms import AskedProperty, Form
 from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier.exploration.budget import Budget
+from kitrobot.verifier.exploration.engines import ArrayTables
 from kitrobot.verifier.model.abstraction import abstract_run
 from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.model.timing import Timing
@@ -197,3 +198,18 @@ def test_in_a_mission_too_large_to_look_at_a_walk_shows_that_it_could_be_avoided
     assert other.states[: avoidance.step + 1] == told.run.states[: avoidance.step + 1]
     assert all(event.what is not Move.TOUCH for event in events_of(other.steps))
     assert model.goals_hold(model.shareds()[other.states[-1][0]])
+
+
+def test_tables_of_compiled_functions_are_taken_back() -> None:
+    """A check that was compiled leaves arrays, of which the explanation makes lists again."""
+    numpy = pytest.importorskip("numpy")
+    run = robots(a="WAIT(1); [Button.IsPressed()]( WAIT(1); Count.Set(2); );")
+    model = Model(run, abstract_run(run, property_variables(run, [NEVER_TWO])))
+    one = build_custom_property(model, NEVER_TWO)
+    made = check_properties(model, [one], Budget(1_000))
+    found = made.verdicts[0].counterexample
+    assert found is not None
+    model.t = ArrayTables(*(numpy.array(table, numpy.int64) for table in model.t))
+    told = explain_run(model, one, found, made.states, Budget())
+    assert told is not None
+    assert told.avoidance.certainty is Certainty.LAST
