@@ -18,7 +18,7 @@ from kitrobot.verifier.report.property_memory import PropertyMemory
 WALKS = 6
 MOST_STEPS = 5_000
 """Steps of one walk."""
-_PAUSE = 64
+_PAUSE = 4
 _SEED = 1
 
 

@@ -19,7 +19,7 @@ from kitrobot.verifier.tables.events import Event, EventKind
 
 MOST_PLACES = 4_000
 """States and places in a run that one search looks at."""
-_PAUSE = 64
+_PAUSE = 4
 _TICK = 1 << EventKind.TICK
 _NO = -1_000_000
 
@@ -76,9 +76,9 @@ class RunSearch:
         queue, seen, looked = deque([begin]), {begin}, 0
         interruption = self.successors.space.interruption
         while queue and len(seen) < most:
-            looked += 1
             if looked % _PAUSE == 0 and interruption():
                 return None
+            looked += 1
             place = queue.popleft()
             state, memory, count = place
             for step in self.successors.of(state):

@@ -29,8 +29,10 @@ from kitrobot.verifier.tables.events import FAIL, MUTE, STALL, Event
 FAULTS = 1 << FAIL | 1 << STALL | 1 << MUTE
 """The kinds of events that are failures."""
 _BROKEN = -1
-_PAUSE = 64
-"""States between two polls of the limits."""
+_PAUSE = 4
+"""States between two polls of the limits: one may have thousands of steps."""
+_RIM = 8
+"""For each state that may be gone on from, so many more may be reached."""
 
 Node = tuple[State, Memory]
 
@@ -116,7 +118,7 @@ class PropertyGraph:
 
     def _explore(self, most: int) -> None:
         space = self._successors.space
-        while self.expanded < len(self.nodes) and self.expanded < most:
+        while self.expanded < len(self.nodes) and self.expanded < most and len(self.nodes) <= _RIM * most + 1:
             if self.expanded % _PAUSE == 0 and space.interruption():
                 return
             at = self.expanded
