@@ -36,9 +36,13 @@ def test_what_is_broken_is_told_as_a_run_and_confirmed(kitrobot, tmp_path: Path)
     said = kitrobot(*arguments)
     assert said.status == 1
     assert "reaches into the empty storehouse A\n  confirmed in the simulator: seed 1, at " in said.out
+    assert "  why:  loader-1 reaches into the empty storehouse A: this breaks `empty-storehouse`\n" in said.out
     found = kitrobot(*arguments, "--json").json
     broken = found["checks"][0]["properties"][0]
     assert broken["answer"] == "broken"
+    assert len(broken["why"]["sentences"]) <= 3
+    decided = broken["why"]["step"]
+    assert f"\n> {decided:>4}  " in said.out if decided is not None else broken["why"]["certainty"] == "never"
     assert broken["confirmed"]["seed"] == 1
     assert broken["confirmed"]["failures"] == []
     assert broken["run"][-1]["text"].endswith("reaches into the empty storehouse A")

@@ -175,6 +175,7 @@ def test_python_and_json_say_the_same() -> None:
         "seed": 1,
         "failures": [],
         "agents": [],
+        "why": [],
     }
 
 

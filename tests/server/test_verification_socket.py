@@ -98,6 +98,13 @@ def test_columns_come_one_by_one_in_the_readers_language_and_a_broken_one_is_pla
         assert broken["scenes"][-1]["step"] == broken["steps"]
         assert {len(scene["robots"]) for scene in broken["scenes"]} == {len(greedy["agents"])}
         assert told["deadlock"]["scenes"] == told["deadlock"]["guilty"] == []
+        assert told["empty-storehouse"]["why"] is None
+        why = broken["why"]
+        assert why["sentences"][0].endswith("entrepôt vide A : cela viole `empty-storehouse`."), why
+        assert 1 < len(why["sentences"]) <= 3
+        if why["other"] is not None:
+            assert why["other"]["scenes"][0]["step"] == why["step"]
+            assert why["tick"] < broken["confirmed"]["tick"]
         checker.send(type="stop")
         checker.until("end")
     seen = broken["confirmed"]

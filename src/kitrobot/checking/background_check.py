@@ -11,6 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from kitrobot.checking.run_explanation import RunExplanation
 from kitrobot.checking.verification import (
     Column,
     Finding,
@@ -78,6 +79,7 @@ class PropertyAnswer:
         confirmed: the run of the simulator that breaks it too, if one was found.
         searched: whether the simulator was looked through for one.
         scenes, guilty: the run as pictures, and where it is broken.
+        why: why it is broken, once that is known.
     """
 
     name: str
@@ -91,6 +93,7 @@ class PropertyAnswer:
     searched: bool = True
     scenes: tuple[Scene, ...] = ()
     guilty: tuple[Culprit, ...] = ()
+    why: RunExplanation | None = None
 
 
 @dataclass(frozen=True)
@@ -180,7 +183,7 @@ def _follow(mine: Connection, stop: Callable[[], bool], leave_off: Any, report: 
 def _check(spec: RunSpec, seed: int, chosen: VerificationOptions, leave_off: Any, out: Connection) -> None:
     """In the process of the check."""
     end_with_parent()
-    _whole_check(spec, seed, replace(chosen, stop=leave_off.is_set, draws=True), out.send)
+    _whole_check(spec, seed, replace(chosen, stop=leave_off.is_set, draws=True, explains=True), out.send)
     out.close()
 
 
@@ -194,7 +197,7 @@ def _verify_here(prepared: PreparedRun, options: VerificationOptions, report: Re
         else:
             report(message)
 
-    chosen = replace(options, draws=True, memory=_MEMORY_HERE)
+    chosen = replace(options, draws=True, explains=True, memory=_MEMORY_HERE)
     _whole_check(prepared.spec, prepared.options.seed, chosen, send)
     end = last[-1]
     if isinstance(end, _Refusal):
@@ -262,6 +265,7 @@ def _answered(finding: Finding) -> PropertyAnswer:
         finding.searched,
         finding.scenes,
         finding.guilty,
+        finding.why,
     )
 
 

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from kitrobot.checking.run_explanation import RunExplanation, describe_story, explain_verdict, place_explanation
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.mission.property_forms import AskedProperty
 from kitrobot.mission.trial import FailureKind
@@ -25,7 +26,8 @@ from kitrobot.verifier.properties.custom_properties import (
 )
 from kitrobot.verifier.properties.properties import Property, ready_properties
 from kitrobot.verifier.properties.verdicts import Answer, CheckResult, Verdict, check_properties
-from kitrobot.verifier.report.counterexample_text import describe_run, free_readings
+from kitrobot.verifier.report.counterexample_text import free_readings
+from kitrobot.verifier.report.explanation import MOST_NODES
 from kitrobot.verifier.report.replay import ConfirmedRun, confirm, injected_faults
 from kitrobot.verifier.report.storyboard import Culprit, Scene, draw_scenes, find_culprits
 from kitrobot.workspace.mission_run import PreparedRun
@@ -68,6 +70,7 @@ class VerificationOptions:
         stop: asked now and then whether to break off.
         memory: at most so many bytes of the whole process, about; None for no limit.
         draws: whether runs that break a property are wanted as scenes.
+        explains: whether it is wanted why they break it.
         asked: properties that are asked besides those of the mission; if there are any, no others are checked unless
             `properties` names them.
         clock: what tells the time, in seconds.
@@ -83,6 +86,7 @@ class VerificationOptions:
     stop: Callable[[], bool] = _never
     memory: int | None = MEMORY
     draws: bool = False
+    explains: bool = False
     asked: tuple[AskedProperty, ...] = ()
     clock: Callable[[], float] = time.monotonic
 
@@ -91,8 +95,8 @@ class VerificationOptions:
 class Finding:
     """A verdict, with the run of the simulator that confirms it where one was found, and the model's run in words.
 
-    `searched`: whether the simulator was looked through for such a run, or need not be. `scenes`, `guilty`: the run as
-    pictures, where they are wanted.
+    `searched`: whether the simulator was looked through for such a run, and why it is broken was asked, or need not be.
+    `scenes`, `guilty`: the run as pictures, where they are wanted. `why`: why it is broken, where that is wanted.
     """
 
     verdict: Verdict
@@ -101,6 +105,7 @@ class Finding:
     searched: bool = True
     scenes: tuple[Scene, ...] = ()
     guilty: tuple[Culprit, ...] = ()
+    why: RunExplanation | None = None
 
 
 @dataclass(frozen=True)
@@ -170,16 +175,8 @@ def _finding_json(finding: Finding, tick_ms: int) -> dict[str, Any]:
         made["run"] = [{"step": step, "text": str(text)} for step, text in finding.story]
         made["steps"] = len(verdict.counterexample.steps)
         made["repeats_from"] = verdict.counterexample.repeats_from if verdict.counterexample.repeats_from >= 0 else None
-        made["confirmed"] = None
-        if confirmed is not None:
-            made["confirmed"] = {
-                "seed": confirmed.seed,
-                "seconds": confirmed.tick * tick_ms / 1000,
-                "failures": [
-                    {"seconds": harm.tick * tick_ms / 1000, "agent": harm.agent, "what": harm.kind}
-                    for harm in confirmed.faults
-                ],
-            }
+        made["confirmed"] = None if confirmed is None else confirmed.to_json(tick_ms)
+        made["why"] = None if finding.why is None else finding.why.to_json(tick_ms)
     return made
 
 
@@ -248,7 +245,9 @@ def verify_runs(
         if column_done is not None:
             column_done(column)
         if not all(finding.searched for finding in column.findings):
-            column = Column(judged, tuple(search.of(column.findings, model)))
+            column = Column(
+                judged, tuple(search.of(column.findings, model, judged.states if judged.complete else None))
+            )
             if column_done is not None:
                 column_done(column)
         columns.append(column)
@@ -296,17 +295,23 @@ def _finding(verdict: Verdict, model: Model, options: VerificationOptions) -> Fi
     """A verdict with its run in words."""
     if verdict.counterexample is None:
         return Finding(verdict)
-    made = Finding(verdict, None, tuple(describe_run(model, verdict.counterexample)), searched=not options.confirms)
-    return (
-        replace(made, scenes=draw_scenes(model, verdict.counterexample), guilty=find_culprits(model, verdict))
-        if options.draws
-        else made
-    )
+    return _told(Finding(verdict, searched=not (options.confirms or options.explains)), model, options)
+
+
+def _told(finding: Finding, model: Model, options: VerificationOptions) -> Finding:
+    """A finding of something broken with its run in words, and in pictures where they are wanted."""
+    verdict = finding.verdict
+    assert verdict.counterexample is not None, "it is broken"
+    decided = -1 if finding.why is None else finding.why.step
+    made = replace(finding, story=describe_story(model, verdict.counterexample, decided))
+    if not options.draws:
+        return made
+    return replace(made, scenes=draw_scenes(model, verdict.counterexample), guilty=find_culprits(model, verdict))
 
 
 class _Search:
-    """Looks in the simulator for what is broken, once for what is broken alike; of the time that is left it takes a
-    quarter for each column.
+    """Looks for why something is broken, and in the simulator for what is, once for what is broken alike; of the time
+    that is left it takes a quarter for each column, and half of that for why.
     """
 
     def __init__(self, runs: Runs, options: VerificationOptions, ends: float | None) -> None:
@@ -315,23 +320,47 @@ class _Search:
         self._ends = ends
         self._known: dict[object, ConfirmedRun | None] = {}
 
-    def of(self, findings: Sequence[Finding], model: Model) -> Iterator[Finding]:
-        """The findings of a column, looked for."""
+    def of(self, findings: Sequence[Finding], model: Model, states: int | None) -> Iterator[Finding]:
+        """The findings of a column, looked for; `states`: how many there are, None where that is not known."""
         now = self._options.clock()
-        until = None if self._ends is None else now + max(0.0, self._ends - now) / 4
+        left = None if self._ends is None else max(0.0, self._ends - now) / 4
+        until = None if left is None else now + left
+        broken = sum(not finding.searched for finding in findings)
+        each = None if left is None else left / 2 / max(1, broken)
         for finding in findings:
-            yield self._confirm(finding, model, until)
+            yield finding if finding.searched else self._look_into(finding, model, states, each, until)
 
-    def _confirm(self, finding: Finding, model: Model, until: float | None) -> Finding:
+    def _look_into(
+        self, finding: Finding, model: Model, states: int | None, seconds: float | None, until: float | None
+    ) -> Finding:
+        options = self._options
+
+        def stop() -> bool:
+            return options.stop() or (until is not None and options.clock() > until)
+
+        explained = None
+        if options.explains:
+            budget = Budget(MOST_NODES, seconds, stop=options.stop, clock=options.clock)
+            explained = explain_verdict(model, finding.verdict, states, budget, options.draws)
+        if explained is None:
+            return self._confirm(finding, model, stop) if options.confirms else replace(finding, searched=True)
+        verdict, found, why = explained
+        made = _told(replace(finding, verdict=verdict, why=why), model, options)
+        if not options.confirms:
+            return replace(made, searched=True)
+        made = self._confirm(made, model, stop)
+        if made.confirmed is not None:
+            why = place_explanation(model, found, verdict, why, made.confirmed, self._runs, stop)
+            return replace(made, why=why)
+        whole = self._confirm(finding, model, stop) if found.has_fewer_failures else made
+        # A run that was seen is worth more than a smaller one that was not.
+        return made if whole.confirmed is None else whole
+
+    def _confirm(self, finding: Finding, model: Model, stop: Callable[[], bool]) -> Finding:
         verdict = finding.verdict
-        if finding.searched or verdict.counterexample is None:
-            return finding
+        assert verdict.counterexample is not None, "it is broken"
         key = verdict.property.name, injected_faults(verdict.counterexample, model)
         if key not in self._known:
-
-            def stop() -> bool:
-                return self._options.stop() or (until is not None and self._options.clock() > until)
-
             confirmed = confirm(verdict.property, verdict.counterexample, model, self._runs, stop)
             if confirmed is None and stop():
                 return finding

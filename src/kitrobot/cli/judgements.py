@@ -41,6 +41,8 @@ def judgement_lines(found: Sequence[Judgement]) -> Iterator[str]:
             subject = one.subject, one.question
             yield sanitize(f"{one.question}: {one.words}" if one.question != one.words else one.words)
         yield f"  {head:<{width}}  {one.ruling.value:<11}  {sanitize(one.reason)}"
+        for sentence in one.why:
+            yield f"  {'':<{width}}  {'':<11}  {sanitize(sentence)}"
         for tick, agent, what in one.faults:
             yield f"  {'':<{width}}  {'':<11}  {sanitize(agent)}: {what} at {tick * one.tick_ms / 1000:.2f} s"
 

@@ -19,16 +19,20 @@ from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_
 from kitrobot.text.sentences import Sentence
 
 if TYPE_CHECKING:
+    from kitrobot.checking.run_explanation import RunExplanation
     from kitrobot.checking.verification import Finding, Progress, Verification
     from kitrobot.mission.property_forms import AskedProperty
     from kitrobot.verifier.exploration.budget import CutReason
     from kitrobot.verifier.model.timing import Timing
+    from kitrobot.verifier.report.replay import ConfirmedRun
 
 _MEGA = 1_000_000
 _ELSEWHERE = Sentence("ask it of runs (`kitrobot judge --by runs`), of failures or of a recording")
 _FIRST, _LAST = 6, 24
 """Events of one run that are shown: the first and the last ones."""
 
+_OTHER = 5
+"""Events of another way that are shown."""
 
 PropertyNames = Annotated[
     list[str] | None,
@@ -89,6 +93,9 @@ def verify_mission(
 ) -> None:
     """Check what can go wrong in a mission, whatever the order of events; or whether recordings keep its properties.
 
+    A broken property is shown as a run without the events that it does not need, with the moment that decided it and
+    another way from there.
+
     The exit status is 0 when every property holds wherever it was checked, 1 when one is broken, and 3 when none is
     and a search was not finished.
     """
@@ -121,7 +128,7 @@ def verify_mission(
     print_diagnostics(prepared.problems, prepared.sources)
     wanted = tuple(one for name, one in befalls.items() if name in kinds) if kinds else USUAL_KINDS
     options = VerificationOptions(
-        *(names, chosen, failures, wanted, most_states, seconds), memory=most_memory * _MEGA, asked=asked
+        *(names, chosen, failures, wanted, most_states, seconds), memory=most_memory * _MEGA, explains=True, asked=asked
     )
     with _progress() as progress:
         made = verify(prepared, options, progress)
@@ -254,11 +261,13 @@ def _answer_text(finding: Finding) -> str:
 
 
 def _counterexample_lines(finding: Finding, head: str, tick_ms: int) -> Sequence[str]:
-    """The lines of one broken property: its demand, the counterexample, and whether the simulator confirms it."""
+    """The lines of one broken property: its demand, the counterexample, whether the simulator confirms it, and why."""
     verdict, counterexample = finding.verdict, finding.verdict.counterexample
     assert counterexample is not None
     lines = [f"{verdict.property.name} ({head}): not always: {verdict.property.sentence}"]
-    story = [f"  {step:>4}  {text}" for step, text in finding.story]
+    why = finding.why
+    decided = -1 if why is None else why.step
+    story = [f"{'>' if step == decided else ' '} {step:>4}  {text}" for step, text in finding.story]
     left_out = len(story) - _FIRST - _LAST
     if left_out > 1:
         story[_FIRST:-_LAST] = [f"        … {left_out} events …"]
@@ -270,13 +279,33 @@ def _counterexample_lines(finding: Finding, head: str, tick_ms: int) -> Sequence
             if whole
             else f"        from step {counterexample.repeats_from} on again and again"
         )
-    confirmed = finding.confirmed
-    if confirmed is None:
-        lines.append("  not reproduced in the simulator")
-        return lines
-    harms = [f"{harm.agent}: {harm.kind} at {harm.tick * tick_ms / 1000:.2f} s" for harm in confirmed.faults]
-    lines.append(
-        f"  confirmed in the simulator: seed {confirmed.seed}, at {confirmed.tick * tick_ms / 1000:.2f} s"
-        + (f" ({', '.join(harms)})" if harms else "")
-    )
+    lines.append(_confirmed_line(finding.confirmed, tick_ms))
+    if why is not None:
+        lines += _why_lines(why, tick_ms)
     return lines
+
+
+def _confirmed_line(confirmed: ConfirmedRun | None, tick_ms: int) -> str:
+    """Whether the simulator shows it too."""
+    if confirmed is None:
+        return "  not reproduced in the simulator"
+    harms = [f"{harm.agent}: {harm.kind} at {harm.tick * tick_ms / 1000:.2f} s" for harm in confirmed.faults]
+    words = f"  confirmed in the simulator: seed {confirmed.seed}, at {confirmed.tick * tick_ms / 1000:.2f} s"
+    return f"{words} ({', '.join(harms)})" if harms else words
+
+
+def _why_lines(why: RunExplanation, tick_ms: int) -> Iterator[str]:
+    """Why it is broken, and another way from the moment that decided it."""
+    if why.left_out:
+        yield f"  {why.left_out} event{'' if why.left_out == 1 else 's'} left out that it does not need"
+    for number, sentence in enumerate(why.sentences):
+        yield f"  {'why:' if number == 0 else '    '}  {sentence}"
+    if why.other is not None and why.other.story:
+        yield f"  another way from step {why.step} on{', to a good end' if why.other.ends_well else ''}:"
+        yield from (f"  {step:>4}  {text}" for step, text in why.other.story[:_OTHER])
+        if len(why.other.story) > _OTHER:
+            yield f"        … {len(why.other.story) - _OTHER} events …"
+    if why.tick >= 0:
+        yield f"  decided in the simulator at {why.tick * tick_ms / 1000:.2f} s"
+    if why.without_failures is not None:
+        yield f"  kept there without the failure at {why.without_failures.tick * tick_ms / 1000:.2f} s"

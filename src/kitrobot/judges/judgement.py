@@ -52,6 +52,8 @@ class Judgement:
         seed: the seed of the run that breaks it; None where there is none.
         faults: what was done to robots in that run: the tick, the robot's name, and what (`fail`, `stall`, `mute`).
         agents: the robots that the property speaks of.
+        why: of a check, why it breaks, in three sentences at most: what happened, what decided it, what would have
+            avoided it.
     """
 
     judge: Judge
@@ -65,6 +67,7 @@ class Judgement:
     seed: int | None = None
     faults: tuple[tuple[int, str, str], ...] = ()
     agents: tuple[str, ...] = ()
+    why: tuple[Sentence, ...] = ()
 
     @property
     def seconds(self) -> float | None:
@@ -100,6 +103,7 @@ class Judgement:
                 for tick, agent, what in self.faults
             ],
             "agents": list(self.agents),
+            "why": [str(sentence) for sentence in self.why],
         }
 
 

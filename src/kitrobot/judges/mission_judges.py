@@ -159,6 +159,7 @@ class _CheckCache:
                 states=options.states,
                 seconds=options.check_seconds * len(questions),
                 stop=options.stop,
+                explains=True,
                 asked=tuple(replace(one.asked, name=one.text) for one in questions if one.asked is not None),
             ),
         )
@@ -189,6 +190,8 @@ def _of_check(made: Judgement, found: Verification, name: str) -> Judgement:
             is_broken = finding.verdict.answer is Answer.BROKEN
             if is_broken and (broken is None or (broken.confirmed is None and finding.confirmed is not None)):
                 broken = finding
+    if broken is not None and broken.why is not None:
+        made = replace(made, why=broken.why.sentences)
     states = sum(column.judged.states for column in found.columns)
     timings = ", ".join(column.judged.timing.value for column in found.columns)
     if broken is not None and broken.confirmed is not None:

@@ -8,11 +8,13 @@ from typing import Annotated, Literal
 from pydantic import AliasChoices, BaseModel, Field, TypeAdapter
 
 from kitrobot.checking.background_check import CheckedColumn, ExplorationProgress
+from kitrobot.checking.run_explanation import RunExplanation
 from kitrobot.checking.verification import MOST_FAILURES
 from kitrobot.verifier.exploration.budget import CutReason
 from kitrobot.verifier.model.table_builder import KINDS
 from kitrobot.verifier.model.timing import Timing
 from kitrobot.verifier.properties.verdicts import Answer
+from kitrobot.verifier.report.avoidance import Certainty
 from kitrobot.verifier.report.replay import ConfirmedRun
 from kitrobot.verifier.report.storyboard import Scene
 from kitrobot.wire.job import WorkMessage, WorkRefusedMessage
@@ -92,6 +94,27 @@ class GuiltyShape(View):
     repeats: bool
 
 
+class OtherWayShape(View):
+    """A run that keeps a property from the deciding step on: see `kitrobot.checking.run_explanation.OtherWay`."""
+
+    events: Annotated[list[CheckedEventShape], Field(validation_alias=AliasChoices("events", "story"))]
+    ends_well: bool
+    scenes: tuple[Scene, ...]
+
+
+class WhyShape(View):
+    """Why a property broke: see `kitrobot.checking.run_explanation.RunExplanation`."""
+
+    sentences: list[Spoken]
+    certainty: Certainty
+    step: int
+    left_out: int
+    other: OtherWayShape | None
+    tick: int
+    seconds: float
+    without_failures: ConfirmingRunShape | None
+
+
 class CheckedPropertyShape(View):
     """One answer: see `kitrobot.checking.background_check.Answered`."""
 
@@ -106,6 +129,7 @@ class CheckedPropertyShape(View):
     searched: bool
     scenes: tuple[Scene, ...]
     guilty: list[GuiltyShape]
+    why: WhyShape | None
 
 
 class VerifyColumnMessage(WorkMessage):
@@ -143,12 +167,27 @@ def verify_message(
     """What a check tells, as the page gets it."""
     if isinstance(told, ExplorationProgress):
         return VerifyProgressMessage.model_validate(told, from_attributes=True)
-    runs = [None if one.confirmed is None else confirming_run_shape(one.confirmed, tick_ms) for one in told.properties]
-    answers = [replace(one, confirmed=None) for one in told.properties]
+    answers = [replace(one, confirmed=None, why=None) for one in told.properties]
     message = VerifyColumnMessage.model_validate(replace(told, properties=tuple(answers)), from_attributes=True)
-    for answer, run in zip(message.properties, runs, strict=True):
-        answer.confirmed = run
+    for shape, answer in zip(message.properties, told.properties, strict=True):
+        shape.confirmed = None if answer.confirmed is None else confirming_run_shape(answer.confirmed, tick_ms)
+        shape.why = None if answer.why is None else _why_shape(answer.why, tick_ms)
     return message
+
+
+def _why_shape(why: RunExplanation, tick_ms: int) -> WhyShape:
+    """Why a property broke, as the page shows it."""
+    run = why.without_failures
+    return WhyShape(
+        sentences=list(why.sentences),
+        certainty=why.certainty,
+        step=why.step,
+        left_out=why.left_out,
+        other=None if why.other is None else OtherWayShape.model_validate(why.other, from_attributes=True),
+        tick=why.tick,
+        seconds=max(0, why.tick) * tick_ms / 1000,
+        without_failures=None if run is None else confirming_run_shape(run, tick_ms),
+    )
 
 
 def confirming_run_shape(run: ConfirmedRun, tick_ms: int) -> ConfirmingRunShape:

@@ -429,6 +429,9 @@ export interface Catalogue {
 /** What part of a robot an object is. */
 export type Category = "actuator" | "sensor" | "variable" | "system";
 
+/** What is known of the last moment. */
+export type Certainty = "last" | "always" | "never" | "unknown";
+
 /** A request to look a mission through; `path` is the file it was opened from, "" for a new one. */
 export interface Check {
   mission: Mission;
@@ -454,6 +457,7 @@ export interface CheckedProperty {
   searched: boolean;
   scenes: Scene[];
   guilty: Guilty[];
+  why: Why | null;
 }
 
 /** A value with a name, and one picture at most: an icon, five by five lights (digits 0 to 9), or a `#rrggbb`. */
@@ -1399,6 +1403,13 @@ export interface Offered {
   vertices: string[];
   offers: Offer[];
   problems: Problem[];
+}
+
+/** A run that keeps a property from the deciding step on: see `kitrobot.checking.run_explanation.OtherWay`. */
+export interface OtherWay {
+  events: CheckedEvent[];
+  ends_well: boolean;
+  scenes: Scene[];
 }
 
 /** A road by its corners. */
@@ -2583,6 +2594,18 @@ export interface WatchRequest {
   type: "watch";
   run: string;
   mission: Mission;
+}
+
+/** Why a property broke: see `kitrobot.checking.run_explanation.RunExplanation`. */
+export interface Why {
+  sentences: string[];
+  certainty: Certainty;
+  step: number;
+  left_out: number;
+  other: OtherWay | null;
+  tick: number;
+  seconds: number;
+  without_failures: ConfirmingRun | null;
 }
 
 /** Units of work, and the seconds after which an unfinished one is free again. */

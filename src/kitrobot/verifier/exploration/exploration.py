@@ -121,21 +121,28 @@ class StateSpace:
 
     def steps(self, number: int) -> Iterator[tuple[State, int, int]]:
         """The steps out of a state: the state after each, its progress classes by number, its kinds of events."""
-        t = self._expand(number, -1)
+        return self.steps_from(self.state(number))
+
+    def steps_from(self, state: State) -> Iterator[tuple[State, int, int]]:
+        """The same of any state of the model, explored or not."""
+        t = self._expand(state, -1)
         for n in range(int(t.regs[v.NEXTS])):
-            state = self.model.layout.state(int(t.next_x[n]), int(t.next_y[n]))
-            yield state, int(t.next_taken[n]), int(t.next_kinds[n])
+            after = self.model.layout.state(int(t.next_x[n]), int(t.next_y[n]))
+            yield after, int(t.next_taken[n]), int(t.next_kinds[n])
 
     def events(self, number: int, step: int) -> tuple[Event, ...]:
         """The events of a step out of a state, by its place among those."""
-        t = self._expand(number, step)
+        return self.events_from(self.state(number), step)
+
+    def events_from(self, state: State, step: int) -> tuple[Event, ...]:
+        """The same of any state of the model, explored or not."""
+        t = self._expand(state, step)
         if t.fixed[v.TIMING] != v.LOCKSTEP:
             return (event_of(int(t.next_event[step])),)
         return tuple(event_of(int(t.events[n])) for n in range(int(t.regs[v.FOUND])))
 
-    def _expand(self, number: int, seek: int) -> Any:
+    def _expand(self, state: State, seek: int) -> Any:
         """Finds the steps out of a state again."""
-        state = self.state(number)
         while True:
             t = self.model.t
             t.regs[v.SEEK] = seek

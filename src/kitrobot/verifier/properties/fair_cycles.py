@@ -160,35 +160,48 @@ def find_fair_cycle(space: StateSpace, one: Property) -> tuple[list[int], list[i
             return [], []
     if not reached[f.REACHED]:
         return [], []
-    search = _search(space, colour, found, int(reached[f.REACHED]))
-    code = f.BUSY
-    while True:
-        code = engine.find_fair_component(space.model.t, space.graph, search, steps)
-        if code == f.FAIR:
-            break
-        if code == f.MISSING:
-            try:
-                space.fill(int(space.model.t.regs[v.CODE]))
-            except ModelTooLargeError:
-                space.interrupted_by = CutReason.SIZE
-                return [], []
-            continue
-        if code == f.DONE:
-            search = f.next_round(search)
-            if search.numbers[f.ROOTS] == 0:
-                return [], []
-        if cut := space.interruption():
-            space.interrupted_by = cut
-            return [], []
+    search = component_search(space, colour, found, int(reached[f.REACHED]))
+    search, is_found = next_fair_component(space, search, steps)
+    if not is_found:
+        return [], []
     first, top = int(search.numbers[f.FIRST]), int(search.numbers[f.TOP])
-    around = _fair_cycle(space, search.stack[first:top], search)
+    part = search.stack[first:top]
+    around = cover_component(space, part, int(min(part)), search.low, search.order)
     lead = [around[0]]
     while int(before[lead[-1]]) >= 0:
         lead.append(int(before[lead[-1]]))
     return lead[::-1], around
 
 
-def _search(space: StateSpace, colour: Any, found: Any, count: int) -> f.ComponentSearch:
+def next_fair_component(
+    space: StateSpace, search: f.ComponentSearch, steps: int = _PLAIN_STEPS
+) -> tuple[f.ComponentSearch, bool]:
+    """Goes on until a fair component is on top of the stack; also returns whether there is one.
+
+    There is none at the end, and where the search ended early (`StateSpace.interrupted_by`).
+    """
+    while True:
+        code = space.engine.find_fair_component(space.model.t, space.graph, search, steps)
+        if code == f.FAIR:
+            return search, True
+        if code == f.MISSING:
+            try:
+                space.fill(int(space.model.t.regs[v.CODE]))
+            except ModelTooLargeError:
+                space.interrupted_by = CutReason.SIZE
+                return search, False
+            continue
+        if code == f.DONE:
+            search = f.next_round(search)
+            if search.numbers[f.ROOTS] == 0:
+                return search, False
+        if cut := space.interruption():
+            space.interrupted_by = cut
+            return search, False
+
+
+def component_search(space: StateSpace, colour: Any, found: Any, count: int) -> f.ComponentSearch:
+    """A search through so many states, which are in `found` and whose `colour` is 1; see `fairness`."""
     engine, size = space.engine, len(space) + 1
     numbers = [0] * f.SEARCH_NUMBERS
     numbers[f.ROOTS], numbers[f.COLOUR], numbers[f.EXPANDED] = count, 1, space.expanded
@@ -200,13 +213,12 @@ def _search(space: StateSpace, colour: Any, found: Any, count: int) -> f.Compone
     )
 
 
-def _fair_cycle(space: StateSpace, part: Any, search: f.ComponentSearch) -> list[int]:
-    """A way through a strongly connected part and back that takes every class that is taken in it; the state where it
-    begins alone for one state.
+def cover_component(space: StateSpace, part: Any, begin: int, before: Any, queue: Any) -> list[int]:
+    """A way from a state through a strongly connected part and back that takes every class that is taken in it; the
+    state alone for one state. `before` and `queue` are written: a number for each state of the space.
     """
     engine, graph = space.engine, space.graph
-    begin = int(min(part))
-    marks = engine.bytes(len(space))
+    marks = engine.bytes(len(space) + 1)
     for state in part:
         marks[state] = 1
     table = space.model.t.taken
@@ -222,7 +234,6 @@ def _fair_cycle(space: StateSpace, part: Any, search: f.ComponentSearch) -> list
                 (sum(one << k * v.MOST_AGENTS for k, one in enumerate(row)), int(steps[2 * n]), int(steps[2 * n + 1]))
             )
     covered, found, at = 0, [begin], begin
-    before, queue = search.low, search.order
     for taken, state, target in sorted(sets, key=lambda one: -one[0].bit_count()):
         if taken & ~covered == 0:
             continue

@@ -27,18 +27,32 @@ def find_standstill(space: StateSpace, condition: Condition) -> int:
 
     The condition holds in it and in all states after it. Returns -1 for none.
     """
-    marks, _ = mark_states(space, condition)
-    states = _closed(space, marks)
+    graph = space.graph
+    states = _closed(space, mark_states(space, condition)[0])
+    for state in states:
+        if all(target == state for target in graph.targets[graph.first_edge[state] : graph.first_edge[state + 1]]):
+            return state
+    return next(_without_effect(space, states), -1)
+
+
+def standstill_states(space: StateSpace, condition: Condition) -> list[int]:
+    """All states of a standstill in which the condition holds; see `find_standstill`."""
+    return list(_without_effect(space, _closed(space, mark_states(space, condition)[0])))
+
+
+def _without_effect(space: StateSpace, states: list[int]) -> Iterator[int]:
+    """Those of closed states from which on programs only repeat themselves without effect."""
     graph = space.graph
     begins = [(int(graph.first_edge[state]), int(graph.first_edge[state + 1])) for state in states]
-    for state, (first, end) in zip(states, begins, strict=True):
-        if all(target == state for target in graph.targets[first:end]):
-            return state
     places = {state: n for n, state in enumerate(states)}
     following = [[places[int(target)] for target in graph.targets[first:end]] for first, end in begins]
     said = _CommandBits(space.model)
     out = _reached(following, list(said.by(space, states)), space)
-    return next((state for state, all_of in zip(states, out, strict=False) if not said.stirs(all_of)), -1)
+    return (
+        state
+        for (state, (first, end)), all_of in zip(zip(states, begins, strict=True), out, strict=False)
+        if not said.stirs(all_of) or all(target == state for target in graph.targets[first:end])
+    )
 
 
 def _closed(space: StateSpace, marks: Any) -> list[int]:

@@ -8,7 +8,7 @@ from kitrobot.primitives.value_format import in_words
 from kitrobot.sim.devices.base import Discrete
 from kitrobot.text.sentences import COMMA, Sentence, Series
 from kitrobot.verifier.model.model import Model, State
-from kitrobot.verifier.properties.verdicts import Counterexample
+from kitrobot.verifier.properties.verdicts import Counterexample, Step
 from kitrobot.verifier.tables.bodies import RUNS
 from kitrobot.verifier.tables.events import Event, EventKind
 from kitrobot.verifier.tables.motion import Move
@@ -17,17 +17,8 @@ from kitrobot.verifier.tables.motion import Move
 def describe_run(model: Model, counterexample: Counterexample) -> Iterator[tuple[int, Sentence]]:
     """What happens in a run, one sentence for each event of the world, with the number of its step."""
     said: dict[tuple[int, str], int] = {}
-    for number, (step, state) in enumerate(zip(counterexample.steps, counterexample.states[1:], strict=True)):
-        for event in step.events:
-            if event.what is not EventKind.TICK:
-                yield number, describe_event(model, event, state)
-        for i, sensor, value in readings(model, counterexample.states[number], state):
-            if said.get((i, sensor)) != value:
-                said[i, sensor] = value
-                agent = model.parts[i].agent
-                words = in_words(agent.robot, sensor, value)
-                yield number, Sentence("{agent} reads {sensor} = {value}", agent.name, *words)
-        for sentence in _of_team(model, counterexample.states[number], state):
+    for number, (step, state) in enumerate(zip(counterexample.steps, counterexample.states, strict=False)):
+        for sentence in describe_step(model, state, step, said):
             yield number, sentence
     if counterexample.repeats_from >= len(counterexample.steps) > 0:
         last = counterexample.states[-1]
@@ -35,6 +26,38 @@ def describe_run(model: Model, counterexample: Counterexample) -> Iterator[tuple
             inside = model.inside(i, last[1 + i])
             if inside.down == RUNS and not model.has_ended(i, inside):
                 yield len(counterexample.steps), Sentence("{agent} waits", part.agent.name)
+
+
+def describe_step(model: Model, before: State, step: Step, said: dict[tuple[int, str], int]) -> Iterator[Sentence]:
+    """What happens in a step, except ticks.
+
+    Args:
+        model: the model.
+        before: the state before the step.
+        step: the step.
+        said: the values of readings that were said last, by agent and sensor: they are not said again. It is changed.
+    """
+    for event in step.events:
+        if event.what is not EventKind.TICK:
+            yield describe_event(model, event, step.state)
+    for i, sensor, value in readings(model, before, step.state):
+        if said.get((i, sensor)) != value:
+            said[i, sensor] = value
+            agent = model.parts[i].agent
+            yield Sentence("{agent} reads {sensor} = {value}", agent.name, *in_words(agent.robot, sensor, value))
+    yield from _of_team(model, before, step.state)
+
+
+def describe_any_step(model: Model, before: State, step: Step) -> list[Sentence]:
+    """What happens in a step; where that are ticks only, whose program goes on."""
+    said = list(describe_step(model, before, step, {}))
+    if said:
+        return said
+    return [
+        Sentence("{agent} goes on in its program", part.agent.name)
+        for i, part in enumerate(model.parts)
+        if before[1 + i] != step.state[1 + i]
+    ]
 
 
 def free_readings(model: Model, counterexample: Counterexample) -> Sentence | None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import chain, combinations
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.tables import columns as c
@@ -27,7 +27,7 @@ MOST_RUNS = 300
 _CHUNK = 50
 _LONG_CHUNK = 2000
 """Steps that are run at once where events are looked through for a violation, and where only the end counts."""
-_KINDS: dict[int, str] = {
+FAULT_KINDS: dict[int, str] = {
     EventKind.FAIL: "fail",
     EventKind.STALL: "stall",
     EventKind.RESUME: "revive",
@@ -51,6 +51,17 @@ class ConfirmedRun:
     seed: int
     faults: tuple[InjectedFault, ...]
     tick: int
+
+    def to_json(self, tick_ms: int) -> dict[str, Any]:
+        """As plain values; `tick_ms`: a step of the simulator."""
+        return {
+            "seed": self.seed,
+            "seconds": self.tick * tick_ms / 1000,
+            "failures": [
+                {"seconds": fault.tick * tick_ms / 1000, "agent": fault.agent, "what": fault.kind}
+                for fault in self.faults
+            ],
+        }
 
 
 def confirm(
@@ -86,10 +97,10 @@ def confirm(
 def injected_faults(counterexample: Counterexample, model: Model) -> tuple[tuple[str, str], ...]:
     """The faults in a run of the model, in order: the agent's name and the kind. `confirm` injects no others."""
     return tuple(
-        (model.parts[event.agent].agent.name, _KINDS[event.what])
+        (model.parts[event.agent].agent.name, FAULT_KINDS[event.what])
         for step in counterexample.steps
         for event in step.events
-        if event.what in _KINDS
+        if event.what in FAULT_KINDS
     )
 
 

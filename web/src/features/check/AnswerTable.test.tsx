@@ -18,7 +18,7 @@ type Cut = VerifyColumnMessage["cut"];
 
 function column(place: number, cut: Cut): VerifyColumnMessage {
   const answer = cut === null ? "holds" : "not finished";
-  const rest = { steps: 0, repeats_from: -1, events: [], left_out: 0, confirmed: null, searched: true };
+  const rest = { steps: 0, repeats_from: -1, events: [], left_out: 0, confirmed: null, searched: true, why: null };
   return {
     type: "column",
     timing: TIMINGS[place] ?? "free",

@@ -1,5 +1,5 @@
 /** How a property is broken: whether the simulator shows it too, playing that run, and the model's run in sentences. */
-import { useEffect, useRef } from "react";
+import { useEffect, useRef, useState } from "react";
 
 import type { CheckedEvent, CheckedProperty, ConfirmingRun } from "../../api/generated";
 import { clock, grouped } from "../../i18n/numbers";
@@ -15,9 +15,10 @@ import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
 import { StepArena } from "./StepArena";
-import { type Cell, guiltyMarks, stretches } from "./table";
+import { type Cell, guiltyMarks, otherRun, stretches } from "./table";
 import { assumptionWords } from "./Verdict";
 import { answerAt, openAnswer, play, useCheck } from "./verifying";
+import { WhyBroken } from "./WhyBroken";
 import "./broken-run.css";
 
 export function BrokenRun({ cell }: { cell: Cell }) {
@@ -33,6 +34,7 @@ export function BrokenRun({ cell }: { cell: Cell }) {
     // Not returned: newer browsers give a promise.
     place.current?.scrollIntoView({ block: "start" });
   }, []);
+  const [showsOther, setShowsOther] = useState(false);
   const mission = useCheck((check) => check.asked?.mission);
   const wrong = shown?.answer;
   useEffect(() => {
@@ -50,6 +52,7 @@ export function BrokenRun({ cell }: { cell: Cell }) {
   }, [first?.program, first?.vertex]); // eslint-disable-line react-hooks/exhaustive-deps
   if (shown === null || mission === undefined) return null;
   const { answer, column } = shown;
+  const other = showsOther ? (answer.why?.other ?? null) : null;
   return (
     <section className="check-run column" ref={place} data-testid="check-run" aria-label={t("check.run")}>
       <header className="check-run-head row">
@@ -60,7 +63,15 @@ export function BrokenRun({ cell }: { cell: Cell }) {
         <Said text={answer.sentence} />
       </p>
       <Seen answer={answer} />
-      {answer.confirmed === null ? <StepArena answer={answer} mission={mission} /> : null}
+      <WhyBroken answer={answer} open={other !== null} onOther={setShowsOther} />
+      {other !== null ? (
+        <>
+          <p className="check-note muted small-text">{t(other.ends_well ? "check.other-well" : "check.other-only")}</p>
+          <StepArena key="other" run={otherRun(other)} mission={mission} />
+        </>
+      ) : answer.confirmed === null ? (
+        <StepArena key="broken" run={answer} mission={mission} decided={answer.why?.step ?? -1} />
+      ) : null}
       <Story answer={answer} />
     </section>
   );
@@ -132,7 +143,7 @@ function Story({ answer }: { answer: CheckedProperty }) {
               {events.length === 0 ? t("check.stays") : t("check.repeats")}
             </h4>
           ) : null}
-          <Events events={events} leftOut={answer.left_out} />
+          <Events events={events} leftOut={answer.left_out} decided={answer.why?.step ?? -1} />
         </div>
       ))}
       {last !== undefined && !last.repeats && last.events.length === 0 ? (
@@ -143,18 +154,24 @@ function Story({ answer }: { answer: CheckedProperty }) {
 }
 
 /** Events are left out in the middle of a long run: there is where the numbers of steps leap most. */
-function Events({ events, leftOut }: { events: readonly CheckedEvent[]; leftOut: number }) {
+function Events({ events, leftOut, decided }: { events: readonly CheckedEvent[]; leftOut: number; decided: number }) {
   const gap = leftOut === 0 ? -1 : events.findIndex(({ step }, index) => step - (events[index - 1]?.step ?? step) > 1);
   return (
     <ol>
       {events.map(({ step, text }, index) => (
-        <li key={index}>
+        <li key={index} data-decided={step === decided || undefined}>
           {index === gap ? (
             <span className="check-left-out muted">{t("check.left-out", { count: leftOut })}</span>
           ) : null}
           <span className="check-step muted">{events[index - 1]?.step === step ? "" : grouped(step + 1)}</span>
           <span>
             <Said text={text} />
+            {step === decided && events[index - 1]?.step !== decided ? (
+              <span className="check-decided row">
+                <Icon name="git-fork" size={14} />
+                {t("check.decides")}
+              </span>
+            ) : null}
           </span>
         </li>
       ))}

@@ -1,7 +1,6 @@
 /** A run of the model in its world, zone by zone: robots have dashed rings, since only the model has seen it. */
 import { type KeyboardEvent, useEffect, useState } from "react";
 
-import type { CheckedProperty } from "../../api/generated";
 import { WorldPicture } from "../../components/WorldPicture";
 import { mirrored } from "../../i18n/language";
 import { grouped } from "../../i18n/numbers";
@@ -13,20 +12,27 @@ import type { Mission } from "../../model/types";
 import { drawnWorld } from "../../model/world/drawn";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
-import { sceneAfter } from "./table";
+import { type ModelRun, sceneAfter } from "./table";
 
 /** How long a step is shown while it plays. */
 const STEP_MS = 700;
 /** The radius of a ring, as a part of the world's width. */
 const RING = 0.045;
 
-export function StepArena({ answer, mission }: { answer: CheckedProperty; mission: Mission }) {
+interface Props {
+  run: ModelRun;
+  mission: Mission;
+  /** The step that decided the run; -1 for none. */
+  decided?: number;
+}
+
+export function StepArena({ run, mission, decided = -1 }: Props) {
   const read = useStudio((studio) => studio.world);
   const [at, setAt] = useState(0);
   const [plays, setPlays] = useState(false);
-  const { scenes } = answer;
+  const { scenes } = run;
   const last = scenes.length - 1;
-  const after = sceneAfter(answer, at);
+  const after = sceneAfter(run, at);
   useEffect(() => {
     if (!plays) return;
     const timer = setTimeout(() => (after === null ? setPlays(false) : setAt(after)), STEP_MS);
@@ -36,6 +42,7 @@ export function StepArena({ answer, mission }: { answer: CheckedProperty; missio
   const scene = scenes[at];
   if (world === null || scene === undefined || scenes.length < 2) return null;
 
+  const moment = decided < 0 ? -1 : scenes.findIndex(({ step }) => step === decided);
   const go = (to: number) => {
     setPlays(false);
     setAt(Math.min(Math.max(to, 0), last));
@@ -52,8 +59,8 @@ export function StepArena({ answer, mission }: { answer: CheckedProperty; missio
   };
   const { width_mm: width, height_mm: height } = world;
   const ring = Math.max(width, height) * RING;
-  const said = answer.events.filter(({ step }) => step === scene.step - 1);
-  const repeats = answer.repeats_from >= 0 && scene.step >= answer.repeats_from;
+  const said = run.events.filter(({ step }) => step === scene.step - 1);
+  const repeats = run.repeats_from >= 0 && scene.step >= run.repeats_from;
   return (
     <div className="check-steps" data-testid="check-steps" data-step={scene.step}>
       <div className="check-arena" style={{ aspectRatio: `${String(width)} / ${String(height)}` }}>
@@ -102,10 +109,19 @@ export function StepArena({ answer, mission }: { answer: CheckedProperty; missio
           disabled={at === last}
           onClick={() => go(at + 1)}
         />
+        {moment < 0 ? null : (
+          <Tool
+            small
+            icon="git-fork"
+            label={t("check.to-moment")}
+            testId="check-to-moment"
+            onClick={() => go(moment)}
+          />
+        )}
         <span className="check-count" role="status">
           {scene.step === 0
             ? t("check.step-first")
-            : t("check.step-of", { step: grouped(scene.step), steps: grouped(answer.steps) })}
+            : t("check.step-of", { step: grouped(scene.step), steps: grouped(run.steps) })}
           {repeats ? <Icon name="infinity" size={14} label={t("check.repeats")} /> : null}
         </span>
       </div>

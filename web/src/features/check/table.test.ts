@@ -16,6 +16,7 @@ const BROKEN: CheckedProperty = {
   searched: true,
   scenes: [],
   guilty: [],
+  why: null,
 };
 
 test("assumptions go from the fast to the thorough", () => {

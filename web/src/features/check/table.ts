@@ -1,5 +1,5 @@
 /** The table of a check: a row for each property, a column for each assumption. */
-import type { CheckedEvent, CheckedProperty, VerifyColumnMessage } from "../../api/generated";
+import type { CheckedEvent, CheckedProperty, OtherWay, VerifyColumnMessage } from "../../api/generated";
 import type { GuiltyMark } from "../../session/guilty";
 import type { Cell } from "../../ui/grid";
 
@@ -65,8 +65,16 @@ export function stretches({ events, repeats_from }: CheckedProperty): Stretch[] 
   ];
 }
 
+/** A run of the model that can be played step by step. */
+export type ModelRun = Pick<CheckedProperty, "scenes" | "events" | "steps" | "repeats_from">;
+
+/** The way that keeps a property, from the deciding step on. */
+export function otherRun({ scenes, events }: OtherWay): ModelRun {
+  return { scenes, events, steps: scenes.at(-1)?.step ?? 0, repeats_from: -1 };
+}
+
 /** The scene that follows one, by their places; what repeats goes on from where it began. Null after the last. */
-export function sceneAfter({ scenes, repeats_from }: CheckedProperty, at: number): number | null {
+export function sceneAfter({ scenes, repeats_from }: ModelRun, at: number): number | null {
   if (at + 1 < scenes.length) return at + 1;
   const again = scenes.findIndex(({ step }) => step === repeats_from + 1);
   return repeats_from < 0 || again < 0 || again > at ? null : again;
