@@ -12,7 +12,7 @@ from playwright.sync_api import expect
 from kitrobot.primitives.catalogue import load_catalogue
 from kitrobot.wire.catalogue import catalogue_shape
 from tests.effort import cases
-from tests.studio.conftest import Studio
+from tests.studio.conftest import EXAMPLES, Studio
 
 pytestmark = pytest.mark.browser
 
@@ -63,7 +63,9 @@ def test_every_icon_of_what_ships_travels_with_the_page() -> None:
     travels = {name for one in sets for name in re.sub("(?m)^#.*$", "", one).split()}
     shipped = catalogue_shape(load_catalogue()).model_dump_json()
     named = set(re.findall(r'"icon":"([a-z0-9-]+)"', shipped))
-    assert len(named) > 30
+    lessons = [path.read_text(encoding="utf-8") for path in EXAMPLES.rglob("*.xml")]
+    named |= {name for text in lessons for name in re.findall(r'icon="([a-z0-9-]+)"', text)}
+    assert len(named) > 40
     assert sorted(named - travels) == [], "such a name makes the page fetch every icon there is"
 
 

@@ -5,6 +5,8 @@ import { EDITOR_EN } from "./en-editor";
 import { EXPORT_EN } from "./en-export";
 import { FAILURES_EN } from "./en-failures";
 import { JOURNAL_EN } from "./en-journal";
+import { LEARN_EN } from "./en-learn";
+import { NEW_EN } from "./en-new";
 import { RECORDING_EN } from "./en-recording";
 import { ROBOTS_EN } from "./en-robots";
 import { TEAM_EN } from "./en-team";
@@ -16,6 +18,8 @@ import { WORLD_EN } from "./en-world";
 export const EN = {
   ...EDITOR_EN,
   ...JOURNAL_EN,
+  ...LEARN_EN,
+  ...NEW_EN,
   ...EXPORT_EN,
   ...CUSTOM_BLOCKS_EN,
   ...ACCESSIBILITY_EN,

@@ -24,9 +24,19 @@ import { RobotsPicture } from "./RobotsPicture";
 import "./new-mission.css";
 import { borrowFocus } from "../../ui/borrow-focus";
 
-const GraphPicture = later(() => import("../../components/WorldPicture").then((chunk) => chunk.GraphPicture), complain);
-const WorldPicture = later(() => import("../../components/WorldPicture").then((chunk) => chunk.WorldPicture), complain);
-const RunPicture = later(() => import("../../components/RunPicture").then((chunk) => chunk.RunPicture), complain);
+const GraphPicture = later(
+  () => import("../../components/WorldPicture").then((chunk) => chunk.GraphPicture),
+  complain,
+  { words: false },
+);
+const WorldPicture = later(
+  () => import("../../components/WorldPicture").then((chunk) => chunk.WorldPicture),
+  complain,
+  { words: false },
+);
+const RunPicture = later(() => import("../../components/RunPicture").then((chunk) => chunk.RunPicture), complain, {
+  words: false,
+});
 
 /** What was chosen last stays chosen while the page is open. */
 const useLastChoice = create<Choice>(() => ({ robotSet: "", place: "", starter: "" }));
