@@ -92,7 +92,7 @@ export function ExercisePanel() {
     >
       <header className="exercise-head row wrap">
         <Icon name={shown.icon} size={18} />
-        <h2>{text(shown.label)}</h2>
+        <h2 className="panel-title">{text(shown.label)}</h2>
         <span className="exercise-count muted small-text" data-testid="exercise-count">
           {t("exercise.reached", { done, total: shown.goals.length })}
         </span>
@@ -115,7 +115,7 @@ export function ExercisePanel() {
         />
       </header>
       <p className="exercise-help">{text(shown.help)}</p>
-      <ol className="exercise-goals">
+      <ol className="exercise-goals plain-list">
         {shown.goals.map((goal, at) => (
           <Goal key={at} at={at} label={text(goal.label)} mark={marks[at] ?? OPEN} />
         ))}

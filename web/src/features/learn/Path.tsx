@@ -119,7 +119,7 @@ export function Path({ lessons, brief = false }: PathProps) {
     cards[to]?.focus();
   };
   return (
-    <ol className="learn-path" ref={room}>
+    <ol className="learn-path plain-list" ref={room}>
       {lessons.map((lesson) => (
         <li key={lesson.name}>
           {lesson.usable ? (

@@ -130,7 +130,7 @@ function Abilities({ title, all }: { title: string; all: readonly Ability[] }) {
   return (
     <section className="new-abilities">
       <h3>{title}</h3>
-      <ul>
+      <ul className="plain-list">
         {all.map(({ icon, label }) => (
           <li key={label[""]}>
             <Icon name={icon} size={16} />

@@ -102,7 +102,9 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
         close();
       }}
     >
-      <h2 id={`${id}-title`}>{title}</h2>
+      <h2 id={`${id}-title`} className="panel-title">
+        {title}
+      </h2>
       <p>{t("variable.of", { robot: text(label ?? {}, robot) })}</p>
       <Field label={t("variable.name")}>
         <input

@@ -54,7 +54,14 @@ export function Things({ world }: { world: OwnWorld }) {
   return (
     <section className="world-things" aria-labelledby="world-things">
       <h2 id="world-things">{t("world.things-title")}</h2>
-      <ul role="tree" aria-labelledby="world-things" aria-multiselectable="true" ref={tree} onKeyDown={onKeyDown}>
+      <ul
+        className="plain-list"
+        role="tree"
+        aria-labelledby="world-things"
+        aria-multiselectable="true"
+        ref={tree}
+        onKeyDown={onKeyDown}
+      >
         {groups.map(({ kind, count }) => (
           <li key={kind} role="none">
             <span className="world-kind row muted" aria-hidden="true">
