@@ -2,11 +2,11 @@
 import { t } from "../../../i18n/words";
 import { playing } from "../../../model/commands/castAgents";
 import { addGroup, giveFailure, groupsOf, rolesOf } from "../../../model/commands/changeDeclared";
-import { useStudio } from "../../../model/studio";
+import { execute, useStudio } from "../../../model/studio";
 import type { TeamGroup } from "../../../model/types";
 import { Checkbox } from "../../../ui/Checkbox";
 import { Chip } from "./Chip";
-import { Card, execute, freeDeclared } from "./parts";
+import { Card, freeDeclared } from "./parts";
 import { placesSaid } from "./Roles";
 
 const POLICIES = ["drop", "substitute", "abort"] as const;

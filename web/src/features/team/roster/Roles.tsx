@@ -2,13 +2,13 @@
 import { t } from "../../../i18n/words";
 import { isOfTeam, playing } from "../../../model/commands/castAgents";
 import { addRole, changeRole, groupsOf, rolesOf } from "../../../model/commands/changeDeclared";
-import { useStudio } from "../../../model/studio";
+import { execute, useStudio } from "../../../model/studio";
 import { TEAM_ROBOT } from "../../../model/team-robot";
 import { text } from "../../../model/texts";
 import type { Mission, Role } from "../../../model/types";
 import { Select } from "../../../ui/Select";
 import { Chip, useOver } from "./Chip";
-import { Card, Count, execute, freeDeclared, MOST } from "./parts";
+import { Card, Count, freeDeclared, MOST } from "./parts";
 
 export function wantedOf({ least, most }: Pick<Role, "least" | "most">): string {
   return least === most ? String(most) : t("roster.or-more", { least: String(least), most: String(most) });
