@@ -298,6 +298,4 @@ export const LATER_EN = {
   "own.kind-number": "a number",
   "own.kind-text": "a text",
   "own.kind-action": "an action",
-  "own.look": "Icon and colour",
-  "own.used-nowhere": "It is not used.",
 } as const;
