@@ -93,7 +93,7 @@ export function Gallery({ examples, open }: GalleryProps) {
             </option>
           ))}
         </select>
-        <Checkbox className="gallery-plays" testId="gallery-plays" checked={plays} set={playsAlways}>
+        <Checkbox className="gallery-plays finger" testId="gallery-plays" checked={plays} set={playsAlways}>
           {t("gallery.move")}
         </Checkbox>
       </div>

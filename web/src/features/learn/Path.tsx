@@ -82,7 +82,7 @@ function Teachers({ page }: { page: TeacherPage }) {
   ];
   return (
     <details className="learn-teachers small-text">
-      <summary>{t("tutorial.teachers", { count: page.minutes })}</summary>
+      <summary className="finger">{t("tutorial.teachers", { count: page.minutes })}</summary>
       <p>{text(page.aim)}</p>
       {lists
         .filter(({ texts }) => texts.length > 0)

@@ -153,7 +153,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
         )}
       </div>
       <Checkbox
-        className="variable-shared"
+        className="variable-shared finger"
         testId="variable-shared"
         checked={typed.shared}
         set={(shared) => change({ shared })}

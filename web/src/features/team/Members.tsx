@@ -23,7 +23,7 @@ function Moment({ tick }: { tick: number }) {
   return (
     <button
       type="button"
-      className="members-moment"
+      className="members-moment finger"
       disabled={!goes}
       title={t("members.go", { time })}
       onClick={() => useRun.getState().seek(tick)}

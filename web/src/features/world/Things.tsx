@@ -79,7 +79,7 @@ export function Things({ world }: { world: OwnWorld }) {
                   <li
                     key={at}
                     role="treeitem"
-                    className="world-row row"
+                    className="world-row finger row"
                     data-thing={`${kind}:${String(at)}`}
                     data-testid={`thing-${kind}-${String(at)}`}
                     aria-selected={chosen.some((one) => sameThing(one, thing))}

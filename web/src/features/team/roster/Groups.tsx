@@ -34,13 +34,14 @@ function GroupCard({ group, at }: { group: TeamGroup; at: number }) {
             places={placesSaid(mission, member, cast.get(member))}
           />
         ))}
-        <span className="chip-place row small-text muted">{t("roster.drop")}</span>
+        <span className="chip-place finger row small-text muted">{t("roster.drop")}</span>
       </div>
       <fieldset className="card-policy column small-text">
         <legend>{t("roster.failure")}</legend>
         {POLICIES.map((policy) => (
           <Checkbox
             key={policy}
+            className="finger"
             type="radio"
             name={`failure-${name}`}
             testId={`failure-${name}-${policy}`}

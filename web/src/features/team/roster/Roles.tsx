@@ -74,7 +74,7 @@ function RoleCard({ role, at, players }: { role: Role; at: number; players: read
           <Chip key={agent} thing={{ name: agent, isAgent: true }} places={placesSaid(mission, agent, name)} />
         ))}
         {players.length < role.most ? (
-          <span className="chip-place row small-text muted">{t("roster.drop")}</span>
+          <span className="chip-place finger row small-text muted">{t("roster.drop")}</span>
         ) : null}
       </div>
     </Card>
@@ -122,7 +122,9 @@ export function Spare() {
         {agents.map(({ name }) => (
           <Chip key={name} thing={{ name, isAgent: true }} places={placesSaid(mission, name, undefined)} />
         ))}
-        {agents.length === 0 ? <span className="chip-place row small-text muted">{t("roster.drop")}</span> : null}
+        {agents.length === 0 ? (
+          <span className="chip-place finger row small-text muted">{t("roster.drop")}</span>
+        ) : null}
       </div>
     </>
   );
