@@ -9,7 +9,9 @@ import { Annotation, Compartment, EditorState, type Extension } from "@codemirro
 import { EditorView, placeholder } from "@codemirror/view";
 import { useEffect, useRef, useState } from "react";
 
+import { t } from "../../i18n/words";
 import type { Problem } from "../../model/types";
+import { complain } from "../../session/document";
 import { holdKeys } from "../../ui/held-keys";
 import type * as Editing from "./editing";
 import { lllExtensions, setShown, type Shown } from "./extensions";
@@ -24,6 +26,8 @@ interface TextEditorProps {
   /** Whether the graph shows this very text. */
   settled: boolean;
   around: Editing.Surroundings;
+  /** It is there to be written: the editing part is fetched at once. */
+  writes?: boolean;
   onType: (text: string, before: string) => void;
   onFocus: (on: boolean) => void;
   onPick: (offset: number, byMouse: boolean) => void;
@@ -53,7 +57,7 @@ export function TextEditor(props: TextEditorProps) {
   const place = useRef<HTMLDivElement>(null);
   const [view, setView] = useState<EditorView | null>(null);
   const [editing, setEditing] = useState<typeof Editing | null>(null);
-  const [touched, setTouched] = useState(false);
+  const [touched, setTouched] = useState(props.writes === true);
   const held = useRef<((give: boolean) => void) | null>(null);
   const latest = useRef(props);
   useEffect(() => {
@@ -70,9 +74,18 @@ export function TextEditor(props: TextEditorProps) {
   useEffect(() => {
     if (!wanted) return;
     let there = true;
-    void import("./editing").then((loaded) => {
-      if (there) setEditing(loaded);
-    });
+    import("./editing").then(
+      (loaded) => {
+        if (there) setEditing(loaded);
+      },
+      () => {
+        releaseKeys(false);
+        if (!there) return;
+        // The next touch tries again.
+        setTouched(false);
+        complain(new Error(t("error.offline")));
+      },
+    );
     return () => {
       there = false;
     };
