@@ -3,8 +3,9 @@
     python tools/api_types.py            write the file
     python tools/api_types.py --check    exit with 1 when it is not what the models say
 
-The names are those of the models without `Shape`. One interface a model, or one union an enumeration, in the order of
-their names, so the file changes only where a model did. What is not required is optional: the page may leave it out.
+The names are those of the models without `Shape`. One type a model, or one union an enumeration, in the order of their
+names: those that a source of the page names, and those that these are made of. So the file changes only where a model
+or the page's use of it did. What is not required is optional: the page may leave it out.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import json
 import re
 import sys
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -26,7 +27,8 @@ from kitrobot.wire.run import RUN_MESSAGE_MODELS
 from kitrobot.wire.run_requests import REQUEST_MODELS
 
 ROOT = Path(__file__).resolve().parent.parent
-TARGET = ROOT / "web" / "src" / "api" / "generated.ts"
+SOURCES = ROOT / "web" / "src"
+TARGET = SOURCES / "api" / "generated.ts"
 LINE_WIDTH = 120
 
 _HEAD = """/**
@@ -37,6 +39,8 @@ _HEAD = """/**
 """
 # What the framework adds for its own errors; ours are a Failure.
 _NOT_OURS = {"HTTPValidationError", "ValidationError"}
+_WORD = re.compile(r"\w+")
+_COMMENT = re.compile(r"/\*.*?\*/", flags=re.DOTALL)
 _PLAIN = {"integer": "number", "number": "number", "string": "string", "boolean": "boolean", "null": "null"}
 
 
@@ -47,11 +51,22 @@ def types() -> str:
     ours = sorted(schemas.keys() - _NOT_OURS)
     named = {_name(name): schemas[name] for name in ours}
     assert len(named) == len(ours), f"two models have one name: {ours}"
-    parts = [_HEAD]
-    parts += [_interface(name, schema) for name, schema in sorted(named.items())]
+    declared = {name: _declaration(name, schema) for name, schema in sorted(named.items())}
     for union, models in (("RunMessage", RUN_MESSAGE_MODELS), ("RunRequest", REQUEST_MODELS)):
-        parts.append(_alias(union, [_name(model.__name__) for model in models]))
-    return "\n".join(parts)
+        declared[union] = _alias(union, [_name(model.__name__) for model in models])
+    sources = [path.read_text(encoding="utf-8") for path in SOURCES.rglob("*.ts*") if path != TARGET]
+    used = reached_types(declared, sources)
+    return "\n".join([_HEAD, *(text for name, text in declared.items() if name in used)])
+
+
+def reached_types(declared: Mapping[str, str], sources: Sequence[str]) -> set[str]:
+    """The names of `declared` that a source names, and those whose declarations these are made of."""
+    reached: set[str] = set()
+    named = {word for text in sources for word in _WORD.findall(text)}
+    while found := (named & declared.keys()) - reached:
+        reached |= found
+        named = {word for name in found for word in _WORD.findall(_COMMENT.sub("", declared[name]))}
+    return reached
 
 
 def _of_class() -> dict[str, Any]:
@@ -68,15 +83,19 @@ def _name(model: str) -> str:
     return model.removesuffix("Shape")
 
 
-def _interface(name: str, schema: Mapping[str, Any]) -> str:
+def _declaration(name: str, schema: Mapping[str, Any]) -> str:
+    comment = _comment(schema.get("description", ""))
     if "enum" in schema:
-        return "\n".join([*_comment(schema.get("description", "")), _alias(name, _members(schema))])
+        return "\n".join([*comment, _alias(name, _members(schema))])
     required = set(schema.get("required", ()))
-    lines = [*_comment(schema.get("description", "")), f"export interface {name} {{"]
-    for field, inner in schema.get("properties", {}).items():
-        optional = "" if field in required else "?"
-        lines += _field(f"  {field}{optional}: ", inner)
-    return "\n".join([*lines, "}"]) + "\n"
+    starts = {
+        f"{field}{'' if field in required else '?'}: ": inner for field, inner in schema.get("properties", {}).items()
+    }
+    line = f"export type {name} = {{ {'; '.join(start + _type(inner) for start, inner in starts.items())} }};"
+    if starts and len(line) <= LINE_WIDTH:
+        return "\n".join([*comment, line]) + "\n"
+    fields = [line for start, inner in starts.items() for line in _field(f"  {start}", inner)]
+    return "\n".join([*comment, f"export interface {name} {{", *fields, "}"]) + "\n"
 
 
 def _field(start: str, schema: Mapping[str, Any]) -> list[str]:

@@ -3,6 +3,7 @@ import { defineConfig } from "vitest/config";
 
 import { catalogues } from "./build/catalogues.ts";
 import { smallFonts } from "./build/fonts.ts";
+import { lucide } from "./build/lucide.ts";
 import { packFiles } from "./build/pack.ts";
 import { putScale } from "./build/scale.ts";
 
@@ -12,7 +13,7 @@ const SERVER = process.env["KITROBOT_SERVER"] ?? "http://127.0.0.1:8765";
 export default defineConfig({
   // Relative addresses: the page works under any path that a server gives it.
   base: "./",
-  plugins: [react(), catalogues(), smallFonts(), putScale(), packFiles()],
+  plugins: [react(), catalogues(), lucide(), smallFonts(), putScale(), packFiles()],
   worker: { format: "es" },
   build: {
     target: "es2022",

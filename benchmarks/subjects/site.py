@@ -100,6 +100,7 @@ def _keys(browser: Browser, address: str, vertices: int, rounds: int) -> Row:
 def _key(browser: Browser, address: str) -> float:
     with web.opened(browser, address, GRAPH) as (page, _):
         page.set_default_timeout(PATIENCE_MS)
+        page.hover("[data-testid=code-editor]")
         page.wait_for_selector("[data-testid=code-editor][data-writable=true] .cm-line", timeout=PATIENCE_MS)
         web.wait(page, f"!({WORKING})")
         return type_in_code(page)

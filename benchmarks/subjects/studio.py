@@ -147,6 +147,8 @@ def _blockly(vertices: int, *, wanted: bool) -> Iterator[str | None]:
 def _measure_studio(browser: Browser, address: str, size: Size, found: Found) -> None:
     with web.opened(browser, address, "document.querySelector('.canvas-node .vertex')") as (page, first):
         found["first picture"].append(first)
+        # What edits the text is fetched as the pointer comes to it, and counts.
+        page.hover("[data-testid=code-editor]")
         page.wait_for_selector("[data-testid=code-editor][data-writable=true] .cm-line")
         web.wait(page, f"!({WORKING})")
         page.wait_for_load_state("networkidle")

@@ -23,3 +23,8 @@ def test_writing_the_types_twice_gives_the_same_text(text: str):
 def test_every_message_says_its_type(text: str):
     assert 'type: "started";' in text
     assert "type?:" not in text
+
+
+def test_only_types_that_the_page_uses_are_written():
+    declared = {"Used": "export type Used = { inner: Inner };", "Inner": "/** Not Other. */", "Other": ""}
+    assert api_types.reached_types(declared, ["const used: Used[] = [];"]) == {"Used", "Inner"}

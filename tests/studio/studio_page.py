@@ -64,9 +64,9 @@ class Studio:
         assert self.code() == text
 
     def edit_code(self) -> None:
-        """Gives the LLL the focus, once it can be edited."""
-        expect(self.at("code-editor")).to_have_attribute("data-writable", "true")
+        """Gives the LLL the focus, with which it can be edited."""
         self.at("code").locator(".cm-content").focus()
+        expect(self.at("code-editor")).to_have_attribute("data-writable", "true")
 
     def expect_code(self, text: str) -> None:
         """Waits until a stretch of text stands in the LLL."""

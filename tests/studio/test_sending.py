@@ -17,8 +17,8 @@ BLINK = "blink/blink.krt"
 
 def writing(page: Page) -> None:
     """The code editor is ready, the caret at its very end."""
-    expect(page.get_by_test_id("code-editor")).to_have_attribute("data-writable", "true")
     page.get_by_test_id("code").locator(".cm-content").focus()
+    expect(page.get_by_test_id("code-editor")).to_have_attribute("data-writable", "true")
     page.keyboard.press("Control+End")
 
 

@@ -5,64 +5,22 @@
  */
 
 /** A part of a robot, as it is called, and its picture. */
-export interface Ability {
-  icon: string;
-  label: Record<string, string>;
-}
+export type Ability = { icon: string; label: Record<string, string> };
 
 /** A part of a robot that a kit has nothing for. */
-export interface AbsentPart {
-  category: "actuator" | "sensor";
-  name: string;
-}
+export type AbsentPart = { category: "actuator" | "sensor"; name: string };
 
 /** What can vary: its address, what stands there ("" for nothing), what can, and some values to begin with. */
-export interface Address {
-  address: string;
-  current: string;
-  expected: string;
-  example: string;
-}
+export type Address = { address: string; current: string; expected: string; example: string };
 
 /** The constructor, and its slot, that a branch adds itself to. */
-export interface Adds {
-  constructor: string;
-  slot: string;
-}
-
-/** The studio's own number, and the proof that it is one of the same folder. */
-export interface Again {
-  answered: string;
-  proof: string;
-}
-
-/** A page that lost its studio: a number that was never used. */
-export interface AgainAsk {
-  asked: string;
-}
-
-/** Both numbers, and the proof that the page is one of the same folder. */
-export interface AgainProof {
-  asked: string;
-  answered: string;
-  proof: string;
-}
-
-/** What every request must bring along from now on. */
-export interface AgainToken {
-  token: string;
-}
+export type Adds = { constructor: string; slot: string };
 
 /**
  * A member of the team and the program it runs. It starts at the world's start `start`, or the one of its name. `robot`
  * is its kind where its program is one of the level social, which speaks of all kinds.
  */
-export interface Agent {
-  name: string;
-  program: string;
-  start: string;
-  robot?: string;
-}
+export type Agent = { name: string; program: string; start: string; robot?: string };
 
 /**
  * What an agent does: where its threads stand, its variables and sensors, what its displays and the like show. `active`
@@ -85,19 +43,10 @@ export interface AgentReport {
 export type Answer = "holds" | "broken" | "not finished" | "vacuous";
 
 /** From a port of one vertex to a port of another. */
-export interface Arc {
-  source: string;
-  target: string;
-  out: string;
-  at: string;
-}
+export type Arc = { source: string; target: string; out: string; at: string };
 
 /** What the page of the pupil whom the teacher looks on shows of its run; null for none. */
-export interface ArenaMessage {
-  type: "arena";
-  folder: string;
-  arena: ClassArena | null;
-}
+export type ArenaMessage = { type: "arena"; folder: string; arena: ClassArena | null };
 
 /**
  * One property. Attributes: name: its name in the mission. form: how it speaks of its conditions. first: the condition
@@ -116,13 +65,7 @@ export interface AskedProperty {
 }
 
 /** A ball that can be pushed, around its middle; friction is what slows it down (0: it rolls for ever). */
-export interface Ball {
-  x_mm: number;
-  y_mm: number;
-  radius_mm: number;
-  mass_g: number;
-  friction: number;
-}
+export type Ball = { x_mm: number; y_mm: number; radius_mm: number; mass_g: number; friction: number };
 
 /** A world to begin in. */
 export interface BeginningPlace {
@@ -133,18 +76,10 @@ export interface BeginningPlace {
 }
 
 /** All there is to choose from. The starter `nothing`, without parts, fits every set in each of its places. */
-export interface Beginnings {
-  robot_sets: RobotSet[];
-  places: BeginningPlace[];
-  starters: Starter[];
-}
+export type Beginnings = { robot_sets: RobotSet[]; places: BeginningPlace[]; starters: Starter[] };
 
 /** A part that the kit lacks or that cannot work there. */
-export interface BenchLeftOut {
-  part: string;
-  label: Record<string, string>;
-  why: string;
-}
+export type BenchLeftOut = { part: string; label: Record<string, string>; why: string };
 
 /**
  * One thing to try, in texts by language: what is to be seen, and what to look for when it does not happen. `call` is
@@ -163,19 +98,10 @@ export interface BenchStep {
  * Parts that are tried: the `step` that is done now, None for none; `value` of its sensor, None before; whether its
  * driver is `slow` and takes longer than a tick.
  */
-export interface BoardBench {
-  step: number | null;
-  value: number | null;
-  slow: boolean;
-  failed: BoardBenchFailure[];
-}
+export type BoardBench = { step: number | null; value: number | null; slow: boolean; failed: BoardBenchFailure[] };
 
 /** The part of a step is broken, and why. */
-export interface BoardBenchFailure {
-  step: number;
-  message: string;
-  help: string;
-}
+export type BoardBenchFailure = { step: number; message: string; help: string };
 
 /**
  * Put the program that tries parts on the robot: those of the robot that the program is for. The answer is a message
@@ -192,10 +118,7 @@ export interface BoardBenchRequest {
 }
 
 /** Break off the sending; the robot keeps the program that it had. */
-export interface BoardCancelRequest {
-  type: "cancel";
-  address: string;
-}
+export type BoardCancelRequest = { type: "cancel"; address: string };
 
 /**
  * Greet the robot at that address. `mission` and `program` are what this page has open: when the robot has that
@@ -225,13 +148,7 @@ export interface BoardFault {
  * The bytes of the file in base64, the ending of its name, the boards that it is for, what is done with it, and why it
  * is not for another board.
  */
-export interface BoardFile {
-  file: string;
-  ending: ".hex" | ".uf2";
-  boards: string;
-  steps: string;
-  reasons: string[];
-}
+export type BoardFile = { file: string; ending: ".hex" | ".uf2"; boards: string; steps: string; reasons: string[] };
 
 /**
  * Which program of a mission is to become a file, on which kit, "" as its robot's own file says. `firmware`: the bytes
@@ -247,22 +164,13 @@ export interface BoardFileAsk {
 }
 
 /** Let go of the robot; one that is held stops. */
-export interface BoardForgetRequest {
-  type: "forget";
-  address: string;
-}
+export type BoardForgetRequest = { type: "forget"; address: string };
 
 /** Nobody talks with that robot any more. */
-export interface BoardGoneMessage {
-  type: "gone";
-  address: string;
-}
+export type BoardGoneMessage = { type: "gone"; address: string };
 
 /** Let the robot show which one it is. */
-export interface BoardIdentifyRequest {
-  type: "identify";
-  address: string;
-}
+export type BoardIdentifyRequest = { type: "identify"; address: string };
 
 /**
  * A robot as it stands. `package` and `installed` name what is on it; `program` is the name of that in the mission, ""
@@ -292,25 +200,13 @@ export interface BoardMessage {
 }
 
 /** A port of this machine where a robot may be; `firmware`: the page with its MicroPython, "" for none. */
-export interface BoardPort {
-  address: string;
-  name: string;
-  description: string;
-  firmware: string;
-}
+export type BoardPort = { address: string; name: string; description: string; firmware: string };
 
 /** All ports there are now. */
-export interface BoardPortsMessage {
-  type: "ports";
-  ports: BoardPort[];
-}
+export type BoardPortsMessage = { type: "ports"; ports: BoardPort[] };
 
 /** How far the sending is: `done` of `total` bytes. */
-export interface BoardProgress {
-  step: "connect" | "reset" | "compare" | "send" | "start";
-  done: number;
-  total: number;
-}
+export type BoardProgress = { step: "connect" | "reset" | "compare" | "send" | "start"; done: number; total: number };
 
 /**
  * A request that was not followed; `problems` are those of the program that was to be sent. Of a team's requests
@@ -338,61 +234,28 @@ export interface BoardSendRequest {
 }
 
 /** Begin the program that is on the robot: held (it stops when this page goes away), or free. */
-export interface BoardStartRequest {
-  type: "start";
-  address: string;
-  held: boolean;
-}
+export type BoardStartRequest = { type: "start"; address: string; held: boolean };
 
 /** What can be tried of the robot at that address. */
-export interface BoardStepsMessage {
-  type: "steps";
-  address: string;
-  steps: BenchStep[];
-  left_out: BenchLeftOut[];
-}
+export type BoardStepsMessage = { type: "steps"; address: string; steps: BenchStep[]; left_out: BenchLeftOut[] };
 
 /** Stop the robot, or with "" every robot that the studio knows. Any page may. */
-export interface BoardStopRequest {
-  type: "stop";
-  address: string;
-}
+export type BoardStopRequest = { type: "stop"; address: string };
 
 /** Do that step (its place among the steps) until the next request; None: end it. */
-export interface BoardTryRequest {
-  type: "try";
-  address: string;
-  step: number | null;
-}
+export type BoardTryRequest = { type: "try"; address: string; step: number | null };
 
 /** Tell which ports there are, and what is plugged in or out, from now on; or no more. */
-export interface BoardsLookRequest {
-  type: "look";
-  on: boolean;
-}
+export type BoardsLookRequest = { type: "look"; on: boolean };
 
 /** The first message: by what name this page holds robots, and by which key ports that it opens itself. */
-export interface BoardsWelcomeMessage {
-  type: "welcome";
-  you: string;
-  key: string;
-}
+export type BoardsWelcomeMessage = { type: "welcome"; you: string; key: string };
 
 /** A box that can be pushed, around its middle; friction is that of its underside (0: it slides for ever). */
-export interface Box {
-  x_mm: number;
-  y_mm: number;
-  width_mm: number;
-  height_mm: number;
-  mass_g: number;
-  friction: number;
-}
+export type Box = { x_mm: number; y_mm: number; width_mm: number; height_mm: number; mass_g: number; friction: number };
 
 /** The rule, and after how many simulated seconds a robot is towed. */
-export interface Breakdown {
-  rule: BreakdownRule;
-  after_s?: number;
-}
+export type Breakdown = { rule: BreakdownRule; after_s?: number };
 
 /** It stays where it is; it is towed away, and its box goes back; the others drive round it. */
 export type BreakdownRule = "stay" | "tow" | "pass";
@@ -413,18 +276,10 @@ export interface Breakpoint {
 }
 
 /** Pause at these from now on. */
-export interface BreakpointsRequest {
-  type: "breakpoints";
-  breakpoints: Breakpoint[];
-}
+export type BreakpointsRequest = { type: "breakpoints"; breakpoints: Breakpoint[] };
 
 /** Every word that programs can be made of, and what was wrong with the files that hold them. */
-export interface Catalogue {
-  groups: Group[];
-  robots: Robot[];
-  problems: Problem[];
-  work?: RobotObject | null;
-}
+export type Catalogue = { groups: Group[]; robots: Robot[]; problems: Problem[]; work?: RobotObject | null };
 
 /** What part of a robot an object is. */
 export type Category = "actuator" | "sensor" | "variable" | "system";
@@ -433,16 +288,10 @@ export type Category = "actuator" | "sensor" | "variable" | "system";
 export type Certainty = "last" | "always" | "never" | "unknown";
 
 /** A request to look a mission through; `path` is the file it was opened from, "" for a new one. */
-export interface Check {
-  mission: Mission;
-  path: string;
-}
+export type Check = { mission: Mission; path: string };
 
 /** One event of a run that breaks a property, and the step it is in. */
-export interface CheckedEvent {
-  step: number;
-  text: string;
-}
+export type CheckedEvent = { step: number; text: string };
 
 /** One answer: see `kitrobot.checking.background_check.Answered`. */
 export interface CheckedProperty {
@@ -461,13 +310,7 @@ export interface CheckedProperty {
 }
 
 /** A value with a name, and one picture at most: an icon, five by five lights (digits 0 to 9), or a `#rrggbb`. */
-export interface Choice {
-  value: number;
-  label: Record<string, string>;
-  icon?: string;
-  lights?: string;
-  colour?: string;
-}
+export type Choice = { value: number; label: Record<string, string>; icon?: string; lights?: string; colour?: string };
 
 /** An offer that is to be a slot, under a name for people. Numbers with one name become one slot. */
 export interface ChosenSlot {
@@ -480,33 +323,14 @@ export interface ChosenSlot {
   unit?: string | null;
 }
 
-/** The page opened a mission; `journal` is the one it had before, or chose, "" for any that was left on it. */
-export interface Claim {
-  tab: string;
-  path: string;
-  journal: string;
-}
-
 /** The journal that a tab writes from now on, and what is in it: nothing when `records` is empty. */
-export interface ClaimedJournal {
-  journal: string;
-  path: string;
-  name: string;
-  records: string[];
-  damaged: boolean;
-}
+export type ClaimedJournal = { journal: string; path: string; name: string; records: string[]; damaged: boolean };
 
 /** What anybody may know of a class: its name, and whether a code lets new pupils in. */
-export interface Class {
-  name: string;
-  joining: boolean;
-}
+export type Class = { name: string; joining: boolean };
 
 /** The answer: not yet, in with the key, or no. */
-export interface ClassAnswered {
-  state: "waiting" | "in" | "no";
-  key?: string;
-}
+export type ClassAnswered = { state: "waiting" | "in" | "no"; key?: string };
 
 /**
  * What a pupil's page shows of its run: the world, where each robot is (mm, mm, rad), the way of the first of them, and
@@ -520,35 +344,14 @@ export interface ClassArena {
   way: [number, number][];
 }
 
-/** The code, and as whom the teacher shall let somebody in. */
-export interface ClassAsk {
-  code: string;
-  name: string;
-}
-
 /** The name of a question to the teacher. */
-export interface ClassAsked {
-  asked: string;
-}
+export type ClassAsked = { asked: string };
 
 /** Somebody asks to be let in as that pupil. */
-export interface ClassAsking {
-  asked: string;
-  folder: string;
-  name: string;
-}
+export type ClassAsking = { asked: string; folder: string; name: string };
 
 /** A goal of the exercise of the class, by language. */
-export interface ClassGoalName {
-  label: Record<string, string>;
-}
-
-/** A mission to be kept: `name` is what the page calls it, `base` what was kept under that name before, or "". */
-export interface ClassHandIn {
-  name: string;
-  base?: string;
-  mission: Mission;
-}
+export type ClassGoalName = { label: Record<string, string> };
 
 /** The class as a whole; each time something of it changed. `kept_s`: how long ago work came in last. */
 export interface ClassNewsMessage {
@@ -570,43 +373,22 @@ export interface ClassNewsMessage {
 }
 
 /** What a card's picture is drawn from: the first program that an agent runs. */
-export interface ClassPicture {
-  version: number;
-  program: Program;
-}
+export type ClassPicture = { version: number; program: Program };
 
 /** A line on the floor; `colour` is a key of `COLOURS`. */
-export interface ColouredLine {
-  colour: "red" | "green" | "blue";
-  width_mm: number;
-  points: Corner[];
-  closed: boolean;
-}
+export type ColouredLine = { colour: "red" | "green" | "blue"; width_mm: number; points: Corner[]; closed: boolean };
 
 /** What befell an agent in a run of the simulator. */
-export interface ConfirmingFailure {
-  agent: string;
-  at_s: number;
-  kind: "fail" | "stall" | "mute" | "revive";
-}
+export type ConfirmingFailure = { agent: string; at_s: number; kind: "fail" | "stall" | "mute" | "revive" };
 
 /**
  * A run of the simulator that breaks a property: the run of the same mission with that seed and these failures on its
  * schedule, which breaks it in step `tick`, at `seconds`.
  */
-export interface ConfirmingRun {
-  seed: number;
-  tick: number;
-  seconds: number;
-  failures: ConfirmingFailure[];
-}
+export type ConfirmingRun = { seed: number; tick: number; seconds: number; failures: ConfirmingFailure[] };
 
 /** The file is not what the page last saw; `revision` is what it is now. */
-export interface Conflict {
-  message: string;
-  help: string;
-  revision: string;
-}
+export type Conflict = { message: string; help: string; revision: string };
 
 /**
  * What both changed differently: what it is, what became of it, and both values in words, "" where they are long.
@@ -640,33 +422,16 @@ export interface Constructor {
 }
 
 /** A point of a line as people give it; a radius rounds it off. */
-export interface Corner {
-  x: number;
-  y: number;
-  radius: number;
-}
+export type Corner = { x: number; y: number; radius: number };
 
 /** Why the exploration, or a later search of the state space, ended early. */
 export type CutReason = "states" | "memory" | "time" | "stopped" | "size";
 
 /** What the text of a team's program declares before its instructions. */
-export interface Declared {
-  roles: TeamRole[];
-  groups: TeamGroup[];
-  works: Work[];
-}
+export type Declared = { roles: TeamRole[]; groups: TeamGroup[]; works: Work[] };
 
 /** What is different in the mission from its file, a sentence each; `revision` is the file's. */
-export interface Difference {
-  revision: string;
-  changes: string[];
-}
-
-/** A mission to be held against its file. */
-export interface DifferenceAsk {
-  path: string;
-  mission: Mission;
-}
+export type Difference = { revision: string; changes: string[] };
 
 /**
  * Where a carrier stands to be loaded or unloaded: within `reach_mm` of `at_mm` along its road. `side` is that of the
@@ -699,62 +464,25 @@ export interface DockPose {
  * What pens drew: of the marks that were told before, the first `keep` stay, and `marks` come after them. A line that
  * has not ended goes on to where its robot is.
  */
-export interface Drawing {
-  keep: number;
-  marks: [number, 1 | 2 | 4, number, number, number, number][];
-}
+export type Drawing = { keep: number; marks: [number, 1 | 2 | 4, number, number, number, number][] };
 
 /** What was found: all there is to tell. */
-export interface DrawingCheckMessage {
-  type: "found";
-  findings: DrawingFinding[];
-}
-
-/** Look through this mission; it takes some seconds at most. */
-export interface DrawingCheckStartRequest {
-  type: "start";
-  mission: Mission;
-  path: string;
-  seed: number;
-}
-
-/** Break it off; nothing is told then. */
-export interface DrawingCheckStopRequest {
-  type: "stop";
-}
+export type DrawingCheckMessage = { type: "found"; findings: DrawingFinding[] };
 
 /** A problem, and the run of the simulator that shows it, if one does. */
-export interface DrawingFinding {
-  problem: Problem;
-  shown: ConfirmingRun | null;
-}
+export type DrawingFinding = { problem: Problem; shown: ConfirmingRun | null };
 
 /** A drive that takes firmware; `board` as it names itself, `chip` "" where that says nothing. */
-export interface Drive {
-  folder: string;
-  board: string;
-  chip: string;
-}
+export type Drive = { folder: string; board: string; chip: string };
 
 /** A request that could not be followed; `ended` when there is no run any more because of it. */
-export interface ErrorMessage {
-  type: "error";
-  message: string;
-  help: string;
-  ended: boolean;
-}
+export type ErrorMessage = { type: "error"; message: string; help: string; ended: boolean };
 
 /**
  * What is told of an example: its level from 1, 0 where nobody said one; the kinds of its robots; how many there are,
  * and how many parts its first program has.
  */
-export interface Example {
-  level: number;
-  topics: Topic[];
-  robots: string[];
-  agents: number;
-  parts: number;
-}
+export type Example = { level: number; topics: Topic[]; robots: string[]; agents: number; parts: number };
 
 /**
  * An exercise; `start` is the mission it begins with, `order` its place on the path to learn, `seconds` how long each
@@ -774,10 +502,7 @@ export interface Exercise {
 }
 
 /** A goal; `kind` is what it is decided from. */
-export interface ExerciseGoal {
-  label: Record<string, string>;
-  kind: "program" | "run" | "check";
-}
+export type ExerciseGoal = { label: Record<string, string>; kind: "program" | "run" | "check" };
 
 /** A study that is asked for; `seconds` is the longest simulated time of a run, `fail_rate` (0…1) as in a run. */
 export interface ExperimentAsk {
@@ -791,30 +516,13 @@ export interface ExperimentAsk {
 }
 
 /** An address, and its values as text: a list, a range or a design. */
-export interface ExperimentAxis {
-  address: string;
-  values: string;
-}
+export type ExperimentAxis = { address: string; values: string };
 
 /** What a mission has for an experiment: addresses, measures, and the studies of it so far, the newest first. */
-export interface ExperimentChoices {
-  addresses: Address[];
-  measures: string[];
-  studies: StudyEntry[];
-}
-
-/** A mission whose choices are asked for. */
-export interface ExperimentMission {
-  mission: Mission;
-  path: string;
-}
+export type ExperimentChoices = { addresses: Address[]; measures: string[]; studies: StudyEntry[] };
 
 /** What a study would be: how many points and runs, and the command line that does the same. */
-export interface ExperimentPlan {
-  points: number;
-  runs: number;
-  command: string;
-}
+export type ExperimentPlan = { points: number; runs: number; command: string };
 
 /**
  * How many runs are over, of how many; about how many seconds are left, None while nobody knows; the study so far, now
@@ -829,41 +537,13 @@ export interface ExperimentProgressMessage {
 }
 
 /** Go on with a study that lies beside the mission of that path. */
-export interface ExperimentResumeRequest {
-  type: "resume";
-  path: string;
-  study: string;
-}
-
-/** Make the runs of a study. */
-export interface ExperimentStartRequest {
-  mission: Mission;
-  path: string;
-  axes: ExperimentAxis[];
-  seeds: string;
-  measures: string[];
-  seconds?: number;
-  fail_rate?: number;
-  type: "start";
-}
-
-/** Break it off; every run that has ended is kept. */
-export interface ExperimentStopRequest {
-  type: "stop";
-}
+export type ExperimentResumeRequest = { type: "resume"; path: string; study: string };
 
 /** The study when the work on it ended, complete or broken off. */
-export interface ExperimentStudyMessage {
-  type: "study";
-  study: Study;
-}
+export type ExperimentStudyMessage = { type: "study"; study: Study };
 
 /** What happens to an agent, and when, in simulated seconds. */
-export interface Failure {
-  agent: string;
-  at_s: number;
-  kind: FailureKind;
-}
+export type Failure = { agent: string; at_s: number; kind: FailureKind };
 
 /**
  * What happens to an agent: it stops for good, misses its ticks, loses its radio, is well again, or is cut off: it
@@ -872,30 +552,16 @@ export interface Failure {
 export type FailureKind = "fail" | "stall" | "mute" | "revive" | "apart";
 
 /** The drives that there are now; `page`: where MicroPython for most boards is to be had. */
-export interface Firmware {
-  page: string;
-  drives: Drive[];
-}
+export type Firmware = { page: string; drives: Drive[] };
 
 /** A request for a program of the whole team, of that name, for a mission that has none. */
-export interface FirstTeam {
-  mission: Mission;
-  path: string;
-  name: string;
-}
+export type FirstTeam = { mission: Mission; path: string; name: string };
 
 /** The one right answer: `text` for the place, and what that is in a graph. */
-export interface Fix {
-  text: string;
-  kind: "text" | "element" | "setting" | "unset" | "unwrap" | "before";
-  name: string;
-}
+export type Fix = { text: string; kind: "text" | "element" | "setting" | "unset" | "unwrap" | "before"; name: string };
 
 /** A firmware that was copied: the board as it names itself, and the version, "" for no MicroPython. */
-export interface Flashed {
-  board: string;
-  micropython: string;
-}
+export type Flashed = { board: string; micropython: string };
 
 /**
  * Run this mission as a team of processes, some of whose agents have a board: `holder` is the page's name among those
@@ -916,16 +582,10 @@ export interface FleetRequest {
  * A coloured part of the floor inside `corners`, rounded where they have a radius; `colour` is a key of `COLOURS`.
  * Where its border crosses itself, what is enclosed twice is not coloured.
  */
-export interface Floor {
-  colour: "red" | "green" | "blue";
-  points: Corner[];
-}
+export type Floor = { colour: "red" | "green" | "blue"; points: Corner[] };
 
 /** A coloured part of the floor, by the points of its border, sampled like a road. */
-export interface FloorOutline {
-  colour: "red" | "green" | "blue";
-  points: [number, number][];
-}
+export type FloorOutline = { colour: "red" | "green" | "blue"; points: [number, number][] };
 
 /**
  * The program of a text, with the place of each vertex in it; None, and no places, while it has mistakes. `spans` and
@@ -942,68 +602,28 @@ export interface Followed {
 }
 
 /** Put a value in the place of what a sensor measures; null gives the sensor back. */
-export interface ForceRequest {
-  type: "force";
-  agent: string;
-  sensor: string;
-  value: number | null;
-}
-
-/** Unsaved work that nobody wants. */
-export interface Forget {
-  journal: string;
-}
+export type ForceRequest = { type: "force"; agent: string; sensor: string; value: number | null };
 
 /** How a property speaks of its conditions; the value names the first attribute of its form. */
 export type Form = "never" | "after" | "eventually" | "stays" | "holds" | "at-most" | "first" | "again" | "visit";
 
 /** What the text became: a chain from Start to Stop, or a condition on its own; None when it is no LLL. */
-export interface Fragment {
-  program: Program | null;
-  problems: Problem[];
-}
-
-/**
- * A text for a program of that robot; `path` is the mission's file, "" for a new one; the rest is what the mission
- * brings along.
- */
-export interface FragmentRequest {
-  text: string;
-  robot: string;
-  path: string;
-  constructors?: Constructor[];
-  variables?: OwnVariable[];
-}
+export type Fragment = { program: Program | null; problems: Problem[] };
 
 /** What must be true in the end: that many boxes (0…65535 in figures, or `ALL`) in a storehouse. */
-export interface Goal {
-  storehouse: string;
-  stock: string;
-}
+export type Goal = { storehouse: string; stock: string };
 
 /** A goal of the exercise as the pupil's page judged it; None: not yet. */
-export interface GoalReport {
-  reached: boolean | null;
-  why?: string;
-}
+export type GoalReport = { reached: boolean | null; why?: string };
 
 /**
  * What came of a goal; `reached` is null where this piece says nothing of it. `seed` and `seconds` are the run and the
  * moment that show what went wrong.
  */
-export interface GoalVerdict {
-  reached: boolean | null;
-  why: string;
-  seed: number | null;
-  seconds: number | null;
-}
+export type GoalVerdict = { reached: boolean | null; why: string; seed: number | null; seconds: number | null };
 
 /** How far grading is; `page` names what it wrote, "" until then. */
-export interface GradingState {
-  done: number;
-  total: number;
-  page: string;
-}
+export type GradingState = { done: number; total: number; page: string };
 
 /** A tab of the palette. `holds`: which parts of a robot that say no group are in it too. */
 export interface Group {
@@ -1016,118 +636,49 @@ export interface Group {
 }
 
 /** A vertex at which a property is broken, whose robot, what happens there, and whether it goes on for ever. */
-export interface Guilty {
-  agent: string;
-  program: string;
-  vertex: string;
-  sentence: string;
-  repeats: boolean;
-}
+export type Guilty = { agent: string; program: string; vertex: string; sentence: string; repeats: boolean };
 
 /** A stored submission: its name, which may differ from the requested one, and its revision. */
-export interface HandIn {
-  name: string;
-  revision: string;
-}
+export type HandIn = { name: string; revision: string };
 
 /** The pupil asks for help, or does not any more. */
-export interface HandMessage {
-  type: "hand";
-  up: boolean;
-}
+export type HandMessage = { type: "hand"; up: boolean };
 
 /** Let an agent fail for good, miss its ticks or lose its radio, or make it well again. */
-export interface HarmRequest {
-  type: "harm";
-  agent: string;
-  kind: "fail" | "stall" | "mute" | "revive" | "apart";
-}
+export type HarmRequest = { type: "harm"; agent: string; kind: "fail" | "stall" | "mute" | "revive" | "apart" };
 
 /** The first message of `WS /api/watch`: the name of the page's tab. */
-export interface HelloMessage {
-  type: "hello";
-  tab: string;
-}
+export type HelloMessage = { type: "hello"; tab: string };
 
 /** The answer to whatever the page says: the studio answers questions. */
-export interface HereMessage {
-  type: "here";
-}
+export type HereMessage = { type: "here" };
 
 /** An agent came to the vertex of a breakpoint. `visit` counts from 1. */
-export interface Hit {
-  program: string;
-  vertex: string;
-  agent: string;
-  visit: number;
-}
+export type Hit = { program: string; vertex: string; agent: string; visit: number };
 
 /** A program without errors, compiled: the bytes of its `.kri` in base64, and the text of its `.kra`. */
-export interface Image {
-  image: string;
-  listing: string;
-}
-
-/** Which program of a mission is to become an image; `path` is where the mission lies, "" for nowhere. */
-export interface ImageAsk {
-  mission: Mission;
-  path: string;
-  program: string;
-}
+export type Image = { image: string; listing: string };
 
 /** The code of the class and the pupil's name; `word` from another computer. */
-export interface Join {
-  code: string;
-  name: string;
-  word?: string;
-}
+export type Join = { code: string; name: string; word?: string };
 
 /** In, with the key that every later request brings along; or there is a pupil of that name already. */
-export interface Joined {
-  state: "in" | "taken";
-  key?: string;
-  name?: string;
-  word?: string;
-}
+export type Joined = { state: "in" | "taken"; key?: string; name?: string; word?: string };
 
 /** A whole journal, to take the place of the one that the page writes; without records there is none any more. */
-export interface Journal {
-  tab: string;
-  path: string;
-  name: string;
-  records: string[];
-  unsaved: boolean;
-}
-
-/** Records to be written behind the others; `first` is the number of the first of them. */
-export interface JournalAppend {
-  tab: string;
-  first: number;
-  records: string[];
-  unsaved: boolean;
-}
+export type Journal = { tab: string; path: string; name: string; records: string[]; unsaved: boolean };
 
 /** How large the journal is now. */
-export interface JournalSize {
-  bytes: number;
-}
+export type JournalSize = { bytes: number };
 
 /**
  * A mission to be judged by an exercise: its programs and the run of `seed`; without one, what is checked. `judging` is
  * a name by which it can be stopped.
  */
-export interface Judge {
-  exercise: string;
-  mission: Mission;
-  seed?: number | null;
-  judging?: string;
-}
+export type Judge = { exercise: string; mission: Mission; seed?: number | null; judging?: string };
 
 /** What came of each goal, in order; `mission` is what was judged: the programs in the exercise's mission. */
-export interface Judged {
-  goals: GoalVerdict[];
-  mission: Mission;
-}
+export type Judged = { goals: GoalVerdict[]; mission: Mission };
 
 /**
  * What is said of a property of the mission: `name` is its own, `sentence` what it demands, `reason` the ground.
@@ -1165,33 +716,13 @@ export interface KitEntry {
  * Whether a program runs on a kit, "" as its robot's own file says: the used parts that the kit lacks, and why the
  * program cannot be sent, "" when it can.
  */
-export interface KitFit {
-  kit: string;
-  missing: Lacking[];
-  problem: string;
-}
-
-/** Asks on which kits a program of a mission runs; `path` is the file it was opened from, "" for a new one. */
-export interface KitFitAsk {
-  path: string;
-  mission: Mission;
-  program: string;
-}
+export type KitFit = { kit: string; missing: Lacking[]; problem: string };
 
 /** A part of a robot that a kit lacks; its label is by language. */
-export interface Lacking {
-  part: string;
-  label: Record<string, string>;
-}
+export type Lacking = { part: string; label: Record<string, string> };
 
 /** Unsaved work that was left behind; `problem` is why it cannot be opened, "" where it can. */
-export interface Left {
-  journal: string;
-  path: string;
-  name: string;
-  modified: string;
-  problem: string;
-}
+export type Left = { journal: string; path: string; name: string; modified: string; problem: string };
 
 /** Of whom a program speaks. What a level can say the ones behind it can say too. */
 export type Level = "agent" | "group" | "social";
@@ -1205,16 +736,10 @@ export interface LineOutline {
 }
 
 /** The teacher looks on, or at nobody. */
-export interface LookMessage {
-  type: "look";
-  folder: string;
-}
+export type LookMessage = { type: "look"; folder: string };
 
 /** Of a run with very many agents: tell what these do; others are told only as poses. */
-export interface LookRequest {
-  type: "look";
-  agents: string[];
-}
+export type LookRequest = { type: "look"; agents: string[] };
 
 /**
  * What a number means. `scale`: how many units one is, a decimal number above 0 or `WAIT_UNIT`. `units`: the unit in
@@ -1242,29 +767,10 @@ export interface Meeting {
 }
 
 /** A robot of a team: its role ("" while it is spare), groups, in whose place it stands, whether it is missed. */
-export interface Member {
-  name: string;
-  role: string;
-  groups: string[];
-  stands_for: string;
-  missed: boolean;
-}
-
-/** A mission to be merged with its file: both were made of `base`. `taken` are the conflicts that the file wins. */
-export interface MergeAsk {
-  path: string;
-  base: Mission;
-  mission: Mission;
-  taken: string[];
-}
+export type Member = { name: string; role: string; groups: string[]; stands_for: string; missed: boolean };
 
 /** A mission with the edits of its file, and what both changed differently. `theirs` is that revision. */
-export interface Merged {
-  revision: string;
-  mission: Mission;
-  theirs: Mission;
-  conflicts: Conflicted[];
-}
+export type Merged = { revision: string; mission: Mission; theirs: Mission; conflicts: Conflicted[] };
 
 /** What a robot object can do or tell. `phrase`: words for chips, with holes, `{object} = {value}`. */
 export interface Method {
@@ -1346,11 +852,6 @@ export interface MissionFile {
   parts?: string;
 }
 
-/** A mission to be written out, unsaved. */
-export interface MissionText {
-  mission: Mission;
-}
-
 /**
  * What is on disk for the page's mission ("" when nothing is), and how many other pages have it open. `parts` names the
  * state of the XML files that the mission depends on: robots, constructors, its world. `runs` are the runs of the
@@ -1370,10 +871,7 @@ export interface NewsMessage {
  * the end of that body (a repeated slot with its number, `in:branch.2`). A plain note of Stop stands at the end of the
  * program.
  */
-export interface Note {
-  text: string;
-  at: string;
-}
+export type Note = { text: string; at: string };
 
 /** What could be left open. `inside`: the offer that holds it; `is_open`: nothing fills it, so it has to be. */
 export interface Offer {
@@ -1392,41 +890,19 @@ export interface Offer {
 }
 
 /** What a selection offers, or why it cannot be a part. */
-export interface OfferAnswer {
-  offered: Offered | null;
-  refused: RequestFailure | null;
-}
+export type OfferAnswer = { offered: Offered | null; refused: RequestFailure | null };
 
 /** What a selection offers; `problems` are in it while nothing is left open. */
-export interface Offered {
-  role: Role;
-  vertices: string[];
-  offers: Offer[];
-  problems: Problem[];
-}
+export type Offered = { role: Role; vertices: string[]; offers: Offer[]; problems: Problem[] };
 
 /** A run that keeps a property from the deciding step on: see `kitrobot.checking.run_explanation.OtherWay`. */
-export interface OtherWay {
-  events: CheckedEvent[];
-  ends_well: boolean;
-  scenes: Scene[];
-}
+export type OtherWay = { events: CheckedEvent[]; ends_well: boolean; scenes: Scene[] };
 
 /** A road by its corners. */
-export interface OwnRoad {
-  name: string;
-  width_mm: number;
-  closed: boolean;
-  points: Corner[];
-  sections: OwnSection[];
-}
+export type OwnRoad = { name: string; width_mm: number; closed: boolean; points: Corner[]; sections: OwnSection[] };
 
 /** A numbered stretch of a road; `to_mm` is None where it ends with its road. */
-export interface OwnSection {
-  sign: number;
-  from_mm: number;
-  to_mm: number | null;
-}
+export type OwnSection = { sign: number; from_mm: number; to_mm: number | null };
 
 /** Where an agent may start; `at` says which of the other fields count. */
 export interface OwnStart {
@@ -1442,10 +918,7 @@ export interface OwnStart {
 }
 
 /** A variable that the mission adds to every robot of a kind. */
-export interface OwnVariable {
-  robot: string;
-  variable: RobotObject;
-}
+export type OwnVariable = { robot: string; variable: RobotObject };
 
 /** All of a world; `unknown` is XML that nobody knows, kept; `attributes` are those with a prefix. */
 export interface OwnWorld {
@@ -1482,43 +955,17 @@ export interface Parameter {
 }
 
 /** The part, its LLL, and the program with a vertex of it in the selection's place. */
-export interface Part {
-  constructor: Constructor;
-  lll: string;
-  program: Program;
-  vertex: string;
-}
+export type Part = { constructor: Constructor; lll: string; program: Program; vertex: string };
 
 /** What a wish became, or why it cannot be. */
-export interface PartAnswer {
-  part: Part | null;
-  refused: RequestFailure | null;
-}
-
-/** The parts of a mission as a constructors file. */
-export interface PartFile {
-  constructors: Constructor[];
-}
+export type PartAnswer = { part: Part | null; refused: RequestFailure | null };
 
 /**
  * The part (None while there are mistakes) and its LLL in the one true layout. `drawing` is its template as a graph,
  * whose holes are named `{name}`; problems have their places in the code as it was sent, those on line 0 are about the
  * rest.
  */
-export interface PartRead {
-  constructor: Constructor | null;
-  lll: string;
-  drawing: Program | null;
-  problems: Problem[];
-}
-
-/** A part of that mission as a person has edited it, for a robot; its code may have mistakes. */
-export interface PartText {
-  mission: Mission;
-  path: string;
-  robot: string;
-  constructor: Constructor;
-}
+export type PartRead = { constructor: Constructor | null; lll: string; drawing: Program | null; problems: Problem[] };
 
 /** A selection that is to be a part. */
 export interface PartWish {
@@ -1535,15 +982,10 @@ export interface PartWish {
 }
 
 /** What the files around a mission hold; `stamp` names their state, as `parts` of `NewsMessage` does. */
-export interface Parts {
-  stamp: string;
-  catalogue: Catalogue;
-}
+export type Parts = { stamp: string; catalogue: Catalogue };
 
 /** What is different in a kit's file from the one that is there, a sentence each; nothing where it is no kit. */
-export interface PartsDifference {
-  changes: string[];
-}
+export type PartsDifference = { changes: string[] };
 
 /**
  * A file that was put beside a mission: its name there, and the names that it brings along. `known` tells that the very
@@ -1557,61 +999,31 @@ export interface PartsFile {
 }
 
 /** Stand still. */
-export interface PauseRequest {
-  type: "pause";
-}
+export type PauseRequest = { type: "pause" };
 
 /** A slot or parameter of a vertex; the slot "" is the vertex itself. */
-export interface Place {
-  vertex: string;
-  slot: string;
-}
+export type Place = { vertex: string; slot: string };
 
 /** A world's file as something that can be changed: None when it is not there or has mistakes, which are told. */
-export interface Plan {
-  world: OwnWorld | null;
-  problems: Problem[];
-}
+export type Plan = { world: OwnWorld | null; problems: Problem[] };
 
 /**
  * Something of the page that a step points at: `kind` is an attribute of `<point>`, `name` its value. `inner` is a
  * setting or a slot of the vertex, or a rule on failure of the group; "" for the vertex or group itself.
  */
-export interface Point {
-  kind: "part" | "vertex" | "button" | "panel" | "program" | "group";
-  name: string;
-  inner: string;
-}
+export type Point = { kind: "part" | "vertex" | "button" | "panel" | "program" | "group"; name: string; inner: string };
 
 /** A starter, and what its agents do in the first seconds. */
-export interface Preview {
-  starter: string;
-  run: RunPreview;
-}
+export type Preview = { starter: string; run: RunPreview };
 
 /** An agent of a preview; `start` is the place in the world where it begins, "" where that has its own name. */
-export interface PreviewAgent {
-  name: string;
-  program: string;
-  robot: string;
-  number: number;
-  start: string;
-}
+export type PreviewAgent = { name: string; program: string; robot: string; number: number; start: string };
 
 /** From that frame on an agent's actuator shows these numbers. */
-export interface PreviewShown {
-  frame: number;
-  agent: number;
-  part: string;
-  numbers: number[];
-}
+export type PreviewShown = { frame: number; agent: number; part: string; numbers: number[] };
 
 /** From that frame on so many boxes lie in a storehouse. */
-export interface PreviewStock {
-  frame: number;
-  storehouse: string;
-  boxes: number;
-}
+export type PreviewStock = { frame: number; storehouse: string; boxes: number };
 
 /** A diagnostic; lines and columns count from 1 and are 0 where there is no file. */
 export interface Problem {
@@ -1632,45 +1044,21 @@ export interface Problem {
 }
 
 /** The mission has errors and was not started. */
-export interface ProblemsMessage {
-  type: "problems";
-  problems: Problem[];
-}
+export type ProblemsMessage = { type: "problems"; problems: Problem[] };
 
 /**
  * A graph, and what it is for: `target` names the kind of robot of the agents that run it, "" for a team's. Examples:
  */
-export interface Program {
-  name: string;
-  robot: string;
-  vertices: Vertex[];
-  arcs: Arc[];
-  level?: Level;
-}
+export type Program = { name: string; robot: string; vertices: Vertex[]; arcs: Arc[]; level?: Level };
 
 /** What a program becomes: LLL with the place of each vertex, and how long its three-address code is. */
-export interface ProgramReport {
-  name: string;
-  lll: string;
-  spans: SpanEntry[];
-  instructions: number;
-}
+export type ProgramReport = { name: string; lll: string; spans: SpanEntry[]; instructions: number };
 
 /** What a team's program is for a kind of robot. */
-export interface ProjectionReport {
-  robot: string;
-  lll: string;
-  spans: ProjectionSpan[];
-}
+export type ProjectionReport = { robot: string; lll: string; spans: ProjectionSpan[] };
 
 /** A stretch of a projected program, as `VertexPlace`, and the team's program in which its vertex stands. */
-export interface ProjectionSpan {
-  program: string;
-  vertex: string;
-  start: number;
-  end: number;
-  line: number;
-}
+export type ProjectionSpan = { program: string; vertex: string; start: number; end: number; line: number };
 
 /**
  * A pupil as the overview shows them; `seconds` is how long the state lasts, where that counts. `version` is another
@@ -1713,35 +1101,19 @@ export interface PupilNewsMessage {
 }
 
 /** Pupils that changed since the last message, and who is gone; `kept_s`: seconds since work came in last. */
-export interface PupilsMessage {
-  type: "pupils";
-  changed: Pupil[];
-  gone: string[];
-  kept_s: number | null;
-}
+export type PupilsMessage = { type: "pupils"; changed: Pupil[]; gone: string[]; kept_s: number | null };
 
 /**
  * `range_mm`: how far a robot is heard, from middle to middle, None for everywhere; `delay_ms`: how long a message
  * takes; `loss`: the part of all messages that gets lost, in %.
  */
-export interface Radio {
-  range_mm?: number | null;
-  delay_ms?: number;
-  loss?: number;
-}
+export type Radio = { range_mm?: number | null; delay_ms?: number; loss?: number };
 
 /** Where a range finder looks: how far from its robot's edge, in mm, and counter-clockwise from the front. */
-export interface Ray {
-  reach_mm: number;
-  angle_rad: number;
-}
+export type Ray = { reach_mm: number; angle_rad: number };
 
 /** What the value of a part means. */
-export interface Reading {
-  type: ValueType;
-  unit: string;
-  meaning: Meaning | null;
-}
+export type Reading = { type: ValueType; unit: string; meaning: Meaning | null };
 
 /**
  * A recording that was opened: its name, by which it is played, and the mission that it brought along. `cut`: its file
@@ -1758,27 +1130,13 @@ export interface Recording {
 }
 
 /** A recording of the folder; `modified` is a moment in UTC (ISO 8601), `problem` why it cannot be opened. */
-export interface RecordingEntry {
-  path: string;
-  name: string;
-  modified: string;
-  problem: string;
-}
+export type RecordingEntry = { path: string; name: string; modified: string; problem: string };
 
 /** Play a recording that was opened; `recording` is its name. From its first step on it pauses at breakpoints. */
-export interface ReplayRequest {
-  type: "replay";
-  recording: string;
-  speed: number;
-  breakpoints?: Breakpoint[];
-}
+export type ReplayRequest = { type: "replay"; recording: string; speed: number; breakpoints?: Breakpoint[] };
 
 /** A mission looked through. `projections`: one for each kind of robot that runs the program of the whole team. */
-export interface Report {
-  programs: ProgramReport[];
-  problems: Problem[];
-  projections?: ProjectionReport[];
-}
+export type Report = { programs: ProgramReport[]; problems: Problem[]; projections?: ProjectionReport[] };
 
 /** What the page says of itself. `edits` and `runs` count: another number is something that moved. */
 export interface ReportMessage {
@@ -1792,26 +1150,13 @@ export interface ReportMessage {
 }
 
 /** Why a request could not be done: a sentence and a way out; `problems` where a file was the reason. */
-export interface RequestFailure {
-  message: string;
-  help: string;
-  problems?: Problem[];
-}
+export type RequestFailure = { message: string; help: string; problems?: Problem[] };
 
 /** Go on; with `latest` from the latest tick, which with real robots is now. */
-export interface ResumeRequest {
-  type: "resume";
-  latest?: boolean;
-}
+export type ResumeRequest = { type: "resume"; latest?: boolean };
 
 /** A road as the line along its middle. */
-export interface Road {
-  name: string;
-  width_mm: number;
-  closed: boolean;
-  points: [number, number][];
-  sections: Section[];
-}
+export type Road = { name: string; width_mm: number; closed: boolean; points: [number, number][]; sections: Section[] };
 
 /** A kind of robot; `length_mm` is how long it is, 0 for one without wheels, `figure` how it is drawn. */
 export interface Robot {
@@ -1907,78 +1252,37 @@ export interface RunPreview {
 }
 
 /** A mission to be written; `revision` is the one that the page last read or wrote, "" for a new file. */
-export interface Save {
-  path: string;
-  revision: string;
-  mission: Mission;
-}
+export type Save = { path: string; revision: string; mission: Mission };
 
 /** What was written; `locked`: whether nobody else could save meanwhile; not so where the folder knows no locks. */
-export interface Saved {
-  path: string;
-  revision: string;
-  locked?: boolean;
-}
+export type Saved = { path: string; revision: string; locked?: boolean };
 
 /** The picture before a step (the last one: after all steps). Robots are in the order of the team. */
-export interface Scene {
-  step: number;
-  robots: SceneRobot[];
-}
+export type Scene = { step: number; robots: SceneRobot[] };
 
 /** One robot in a scene: its pose (mm, radians; rounded), and the vertices at which its program is. */
-export interface SceneRobot {
-  x_mm: number;
-  y_mm: number;
-  heading_rad: number;
-  at: [string, string][];
-}
+export type SceneRobot = { x_mm: number; y_mm: number; heading_rad: number; at: [string, string][] };
 
 /** A stretch of a road with the number its signs show. */
-export interface Section {
-  sign: number;
-  from_mm: number;
-  to_mm: number;
-}
+export type Section = { sign: number; from_mm: number; to_mm: number };
 
 /** Go to a tick that was run already, and pause there; one beyond the end goes to the end. */
-export interface SeekRequest {
-  type: "seek";
-  tick: number;
-}
+export type SeekRequest = { type: "seek"; tick: number };
 
 /** Some vertices of a program; `path` is the mission's file, "" for a new one. */
-export interface Selected {
-  mission: Mission;
-  path: string;
-  program: string;
-  vertices: string[];
-}
+export type Selected = { mission: Mission; path: string; program: string; vertices: string[] };
 
 /**
  * What the page starts with: the mission to open, and the name of the folder that missions are in. `secret` is what the
  * page knows the next studio of this folder by; it keeps it in its memory and never sends it.
  */
-export interface Session {
-  version: string;
-  path: string | null;
-  workspace: string;
-  secret: string;
-}
+export type Session = { version: string; path: string | null; workspace: string; secret: string };
 
 /** Set a variable of an agent. */
-export interface SetRequest {
-  type: "set";
-  agent: string;
-  variable: string;
-  value: number;
-}
+export type SetRequest = { type: "set"; agent: string; variable: string; value: number };
 
 /** The run that the page shows, told while the teacher looks on. */
-export interface ShowArenaMessage {
-  type: "arena";
-  arena: ClassArena;
-}
+export type ShowArenaMessage = { type: "arena"; arena: ClassArena };
 
 /**
  * A hole of a constructor. A `repeat` slot holds any number of bodies; `least` of them come with a new vertex. `names`
@@ -2003,26 +1307,13 @@ export interface Slot {
 export type SlotKind = "flow" | "condition" | "value" | "number" | "text" | "action";
 
 /** The stretch of LLL that a vertex became: character offsets, the end exclusive, and the line from 1. */
-export interface SpanEntry {
-  vertex: string;
-  start: number;
-  end: number;
-  line: number;
-}
+export type SpanEntry = { vertex: string; start: number; end: number; line: number };
 
 /** Run at another speed from now on. */
-export interface SpeedRequest {
-  type: "speed";
-  value: number;
-}
+export type SpeedRequest = { type: "speed"; value: number };
 
 /** Where an agent may start. */
-export interface StartPose {
-  name: string;
-  x_mm: number;
-  y_mm: number;
-  heading_rad: number;
-}
+export type StartPose = { name: string; x_mm: number; y_mm: number; heading_rad: number };
 
 /**
  * Run this mission; `path` is the file it was opened from, "" for a new one. `fail_rate` is the probability that an
@@ -2097,22 +1388,10 @@ export interface StateMessage {
 }
 
 /** Go one tick while paused, or until `agent` stands at another vertex ("" for anybody); `back` into the past. */
-export interface StepRequest {
-  type: "step";
-  by?: "tick" | "vertex";
-  back?: boolean;
-  agent?: string;
-}
-
-/** The name of the judging that is to be broken off. */
-export interface StopJudging {
-  judging: string;
-}
+export type StepRequest = { type: "step"; by?: "tick" | "vertex"; back?: boolean; agent?: string };
 
 /** End the run. */
-export interface StopRequest {
-  type: "stop";
-}
+export type StopRequest = { type: "stop" };
 
 /** A rectangle (x, y: its lower left corner) with room for `capacity` boxes, `stock` of them there at the start. */
 export interface Storehouse {
@@ -2141,10 +1420,7 @@ export interface Study {
 }
 
 /** What varies, and all its values in their order, each once. */
-export interface StudyAxis {
-  address: string;
-  values: (number | string)[];
-}
+export type StudyAxis = { address: string; values: (number | string)[] };
 
 /** A measure at a point: of how many runs, and its interval where it has one. */
 export interface StudyCell {
@@ -2156,10 +1432,7 @@ export interface StudyCell {
 }
 
 /** A study that lies beside the mission: the name of its folder, and its runs when it is complete. */
-export interface StudyEntry {
-  study: string;
-  runs: number;
-}
+export type StudyEntry = { study: string; runs: number };
 
 /** A point: its number, its values by axis, how many runs had which outcome, its cells by measure. */
 export interface StudyPoint {
@@ -2170,20 +1443,10 @@ export interface StudyPoint {
 }
 
 /** One run: its number and seed, how it ended, and its measures by place; None: nothing was measured. */
-export interface StudyRun {
-  row: number;
-  seed: number;
-  outcome: string;
-  sentence: string;
-  measures: (number | null)[];
-}
+export type StudyRun = { row: number; seed: number; outcome: string; sentence: string; measures: (number | null)[] };
 
 /** A file that was handed in; `modified` is a moment in UTC. */
-export interface Submission {
-  name: string;
-  bytes: number;
-  modified: string;
-}
+export type Submission = { name: string; bytes: number; modified: string };
 
 /** One run: who failed, by the place in `agents`, and when, by that in `moments`; how it ended, when and why. */
 export interface SweepField {
@@ -2209,11 +1472,7 @@ export interface SweepMapMessage {
 }
 
 /** How many fields are over, of how many. */
-export interface SweepProgressMessage {
-  type: "progress";
-  done: number;
-  total: number;
-}
+export type SweepProgressMessage = { type: "progress"; done: number; total: number };
 
 /**
  * Run this mission once for each agent and moment at which that one fails. Everything else is as in a run's start: the
@@ -2229,65 +1488,11 @@ export interface SweepStartRequest {
   seconds: number;
 }
 
-/** Break the sweep off; what was found until then is told. */
-export interface SweepStopRequest {
-  type: "stop";
-}
-
-/** A pupil who comes later. */
-export interface TeacherAdd {
-  name: string;
-}
-
-/** The teacher's answer to who asks to be let in. */
-export interface TeacherAnswer {
-  asked: string;
-  yes: boolean;
-}
-
-/** A new code, or none. */
-export interface TeacherCode {
-  on: boolean;
-}
-
-/** The exercise of the class from now on, "" for none. */
-export interface TeacherExercise {
-  exercise: string;
-}
-
-/** Those pupils are to look up, or go on; null: everybody. */
-export interface TeacherFreeze {
-  on: boolean;
-  folders?: string[] | null;
-}
-
-/** Whose work is to be graded with the exercise of the class; null: everybody's. */
-export interface TeacherGrade {
-  folders?: string[] | null;
-}
-
-/** A mission of the class's folder or of the examples for those pupils; null: for all. */
-export interface TeacherHandOut {
-  path: string;
-  to?: string[] | null;
-}
-
 /** The name it has, and how many got it. */
-export interface TeacherHandedOut {
-  name: string;
-  pupils: number;
-}
+export type TeacherHandedOut = { name: string; pupils: number };
 
 /** The last lines of the log, the newest first. */
-export interface TeacherLog {
-  lines: string[];
-}
-
-/** A few words for one pupil. */
-export interface TeacherNote {
-  folder: string;
-  text: string;
-}
+export type TeacherLog = { lines: string[] };
 
 /** What a teacher wants to know of a tutorial: its aim, how long it takes, what goes wrong, what to ask after it. */
 export interface TeacherPage {
@@ -2297,21 +1502,8 @@ export interface TeacherPage {
   questions: Record<string, string>[];
 }
 
-/** How many pupils the class takes. */
-export interface TeacherPlaces {
-  places: number;
-}
-
 /** One pupil. */
-export interface TeacherPupil {
-  folder: string;
-}
-
-/** Asks a pupil to let the teacher edit; or gives the mission back. */
-export interface TeacherTurn {
-  folder: string;
-  ask: boolean;
-}
+export type TeacherPupil = { folder: string };
 
 /**
  * An agent of the team that programs were sent to, or that was started, last; `address` of its board, "" for none.
@@ -2329,16 +1521,10 @@ export interface TeamAgent {
 }
 
 /** The board of an agent; `way`: what else may be done when its program is sent. */
-export interface TeamBoard {
-  agent: string;
-  address: string;
-  way?: "" | "replace" | "fresh";
-}
+export type TeamBoard = { agent: string; address: string; way?: "" | "replace" | "fresh" };
 
 /** Break off the sending to a team. */
-export interface TeamCancelRequest {
-  type: "team-cancel";
-}
+export type TeamCancelRequest = { type: "team-cancel" };
 
 /** Roles, groups and agents under one name, and what happens when one of them fails. */
 export interface TeamGroup {
@@ -2368,11 +1554,7 @@ export interface TeamMessage {
  * A team as it stands: its members, the names of its groups, also of those left empty, and where some wait. A role that
  * robots move from or to is a group of its name.
  */
-export interface TeamNow {
-  members: Member[];
-  groups: string[];
-  meetings: Meeting[];
-}
+export type TeamNow = { members: Member[]; groups: string[]; meetings: Meeting[] };
 
 /** A role, the kind of robot that can play it, and how many are wanted. */
 export interface TeamRole {
@@ -2388,40 +1570,16 @@ export interface TeamRole {
  * Put the programs of a team's agents onto their boards, which then wait for the team to be started. When one of them
  * cannot be made, nothing is sent.
  */
-export interface TeamSendRequest {
-  type: "team-send";
-  mission: Mission;
-  path: string;
-  boards: TeamBoard[];
-}
+export type TeamSendRequest = { type: "team-send"; mission: Mission; path: string; boards: TeamBoard[] };
 
 /** A world to begin with; `world` has its label and help. */
-export interface Template {
-  name: string;
-  world: OwnWorld;
-}
+export type Template = { name: string; world: OwnWorld };
 
 /** The canonical text of a `.krt`. */
-export interface Text {
-  text: string;
-}
-
-/** The LLL of one program as a person has typed it; `mission` holds the program that it was before. */
-export interface TextEdit {
-  mission: Mission;
-  path: string;
-  program: string;
-  text: string;
-}
+export type Text = { text: string };
 
 /** Something that can be pushed, around its middle; of a ball width and height are its diameter. */
-export interface Thing {
-  kind: "box" | "ball";
-  x_mm: number;
-  y_mm: number;
-  width_mm: number;
-  height_mm: number;
-}
+export type Thing = { kind: "box" | "ball"; x_mm: number; y_mm: number; width_mm: number; height_mm: number };
 
 /**
  * The run as it stands; `agents` holds only those that changed since the last message, and of very many only those that
@@ -2448,16 +1606,10 @@ export interface TickMessage {
 export type Timing = "lockstep" | "prompt" | "free";
 
 /** What an example is about. */
-export interface Topic {
-  name: string;
-  label: Record<string, string>;
-}
+export type Topic = { name: string; label: Record<string, string> };
 
 /** The pupil lets the teacher edit; or does not, or not any more. */
-export interface TurnMessage {
-  type: "turn";
-  yes: boolean;
-}
+export type TurnMessage = { type: "turn"; yes: boolean };
 
 /**
  * A tutorial; `start` is the mission it begins with, `order` its place on the path to learn. One that cannot be used
@@ -2476,9 +1628,7 @@ export interface Tutorial {
 }
 
 /** For each step, whether the programs are as it wants them. */
-export interface TutorialFit {
-  fits: boolean[];
-}
+export type TutorialFit = { fits: boolean[] };
 
 /** One step. `asks`: the program has to be in some way; `events`: one of these has to happen meanwhile. */
 export interface TutorialStep {
@@ -2488,13 +1638,6 @@ export interface TutorialStep {
   points: Point[];
   asks: boolean;
   events: string[];
-}
-
-/** A mission, opened from `path`, to be held against a tutorial. */
-export interface TutorialWatch {
-  tutorial: string;
-  mission: Mission;
-  path: string;
 }
 
 /** What a variable holds or a parameter takes. */
@@ -2530,10 +1673,7 @@ export interface VerifyColumnMessage {
 }
 
 /** The check is over; what is taken for granted in its answers. */
-export interface VerifyEndMessage {
-  type: "end";
-  limits: string[];
-}
+export type VerifyEndMessage = { type: "end"; limits: string[] };
 
 /** How far the check is under one assumption: see `kitrobot.checking.background_check.Explored`. */
 export interface VerifyProgressMessage {
@@ -2557,23 +1697,12 @@ export interface VerifyStartRequest {
   seconds: number;
 }
 
-/** Break the check off; what was found until then is told. */
-export interface VerifyStopRequest {
-  type: "stop";
-}
-
 /**
  * A program element: `element` is Start, Stop, a constructor's name, or `Object.Method`. `settings` holds what was
  * typed into number and text slots, or parameters, by name. `unknown` keeps, word for word, XML inside the vertex that
  * we do not know.
  */
-export interface Vertex {
-  id: string;
-  element: string;
-  settings: Record<string, string>;
-  notes: Note[];
-  unknown?: string;
-}
+export type Vertex = { id: string; element: string; settings: Record<string, string>; notes: Note[]; unknown?: string };
 
 /**
  * In which order the conditions of a visit come: any; each for the first time in this one; only in this one, over and
@@ -2582,19 +1711,10 @@ export interface Vertex {
 export type VisitOrder = "any" | "given" | "turn";
 
 /** A straight wall without thickness. */
-export interface Wall {
-  x1: number;
-  y1: number;
-  x2: number;
-  y2: number;
-}
+export type Wall = { x1: number; y1: number; x2: number; y2: number };
 
 /** Watch a run that another page steers; `run` is its name, `mission` what this page has open. */
-export interface WatchRequest {
-  type: "watch";
-  run: string;
-  mission: Mission;
-}
+export type WatchRequest = { type: "watch"; run: string; mission: Mission };
 
 /** Why a property broke: see `kitrobot.checking.run_explanation.RunExplanation`. */
 export interface Why {
@@ -2609,21 +1729,10 @@ export interface Why {
 }
 
 /** Units of work, and the seconds after which an unfinished one is free again. */
-export interface Work {
-  name: string;
-  above?: string[];
-  after?: string | null;
-  units: number;
-  lease?: number | null;
-}
+export type Work = { name: string; above?: string[]; after?: string | null; units: number; lease?: number | null };
 
 /** Why nothing came of it; `problems` are the errors of the mission, where it has some. */
-export interface WorkRefusedMessage {
-  type: "refused";
-  message: string;
-  help: string;
-  problems: Problem[];
-}
+export type WorkRefusedMessage = { type: "refused"; message: string; help: string; problems: Problem[] };
 
 /** The place of a mission. */
 export interface World {
@@ -2652,9 +1761,7 @@ export interface WorldEntry {
 }
 
 /** The world of a mission: None when its file is not there, or is no world. */
-export interface WorldFile {
-  world: World | null;
-}
+export type WorldFile = { world: World | null };
 
 /**
  * Where it is warm, loud or bright, around its middle: a circle, or a rectangle where `radius_mm` is 0. Inside it has

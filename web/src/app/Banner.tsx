@@ -46,7 +46,9 @@ function Strip({ said, onClose }: { said: Notice; onClose: () => void }) {
 /** Nothing that is done here reaches the server: said until it does. In a static site Python is in the page. */
 function CutOff() {
   const silent = useLink((link) => link.silent);
-  const name = silent ? "link.silent" : "error.offline";
+  const [name, help] = silent
+    ? (["link.silent", "link.silent-help"] as const)
+    : (["error.offline", "error.offline-help"] as const);
   return (
     <div className="banner banner-error row rigid" role="alert" data-testid="cut-off">
       <Icon name="triangle-alert" size={18} />
@@ -54,7 +56,7 @@ function CutOff() {
         <strong>
           <Said text={t(name)} />
         </strong>{" "}
-        <Said text={t(`${name}-help`)} />
+        <Said text={t(help)} />
       </p>
     </div>
   );

@@ -8,9 +8,9 @@ import { type Key, t } from "../i18n/words";
 import { closeOverlay } from "../session/document";
 import { features } from "../session/features";
 import { type KeyRow, type KeyTable, WEB_KEYS } from "../session/key-table";
-import { Icon } from "../theme";
 import { holding } from "../ui/matching";
 import { isItem, type MenuPart } from "../ui/menu-model";
+import { SearchField } from "../ui/SearchField";
 import { Sheet } from "../ui/Sheet";
 import { useMenus } from "./menus";
 import "./shortcuts.css";
@@ -113,29 +113,14 @@ export function ShortcutsSheet() {
   const found = foundIn(sections, query);
   return (
     <Sheet title={t("help.shortcuts")} testId="shortcuts-dialog" wide onClose={closeOverlay}>
-      <label className="keys-find">
-        <Icon name="search" size={16} />
-        <span className="only-spoken">{t("help.keys-search")}</span>
-        <input
-          ref={field}
-          className="field"
-          type="search"
-          placeholder={t("help.keys-search")}
-          data-testid="keys-find"
-          maxLength={100}
-          spellCheck={false}
-          autoComplete="off"
-          value={query}
-          onChange={(event) => setQuery(event.target.value)}
-          onKeyDown={(event) => {
-            if (event.key !== "Escape" || query === "") return;
-            // The first Escape empties the field, the next one closes the sheet.
-            event.stopPropagation();
-            event.preventDefault();
-            setQuery("");
-          }}
-        />
-      </label>
+      <SearchField
+        className="keys-find"
+        label={t("help.keys-search")}
+        testId="keys-find"
+        field={field}
+        value={query}
+        set={setQuery}
+      />
       <div role="status">
         {found.length === 0 ? <p className="keys-none muted">{t("help.keys-none", { query: query.trim() })}</p> : null}
       </div>

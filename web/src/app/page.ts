@@ -157,7 +157,7 @@ const inSheets = <Name extends keyof typeof sheetsModule>(name: Name, typing = f
       show(null);
       complain(cause);
     },
-    typing,
+    { typing },
   );
 
 declare module "../session/document" {

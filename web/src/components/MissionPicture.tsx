@@ -6,7 +6,7 @@ import type { RunPreview } from "../api/generated";
 import { complain } from "../session/document";
 import { later } from "../ui/later";
 
-const RunPicture = later(() => import("./RunPicture").then((chunk) => chunk.RunPicture), complain);
+const RunPicture = later(() => import("./RunPicture").then((chunk) => chunk.RunPicture), complain, { words: false });
 
 /** Previews that were fetched, by the mission as it was then. */
 const known = new Map<string, Promise<RunPreview>>();

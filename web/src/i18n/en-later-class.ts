@@ -45,7 +45,6 @@ export const CLASS_EN = {
   "class.read": "I read it",
   "class.leave": "Leave the class",
 
-  "teacher.title": "Class {name}",
   "teacher.send": "Send a mission",
   "teacher.send-some": "Send to {count}",
   "teacher.freeze": "Freeze all",

@@ -4,12 +4,7 @@ export const GALLERY_EN = {
   "open.jumps": "Go to",
   "open.workspace": "In {folder}",
   "open.workspace-empty": "No mission in this folder yet.",
-  "open.examples": "Examples",
   "open.computer": "From this computer…",
-  "examples.or": "Or open an example",
-  "examples.all": "all examples",
-  "examples.parts": { one: "{count} part", other: "{count} parts" },
-  "examples.robots": { one: "{count} robot", other: "a team of {count} robots" },
 
   "gallery.find": "Find an example",
   "gallery.level": "How hard",

@@ -13,11 +13,6 @@ export const PANELS_EN = {
   "debug.who": "For",
   "debug.every": "Only when all of them are here",
   "graph.now": "now {value}",
-  "graph.first-step": "Give the robot its first step",
-  "graph.first-tap":
-    "It follows the arrows from Start to End. Tap the dashed place to add a part, or begin with one of these:",
-  "graph.first-help":
-    "It follows the arrows from Start to End. Drag a part from the left onto the dashed place, or begin with one of these:",
   "graph.note-keys": "Enter keeps it · Shift+Enter new line · Esc drops it",
   "context.note": "Write a note…",
   "context.unnote": "Remove the note",

@@ -3,9 +3,7 @@ import { ARENA_EN } from "./en-later-arena";
 import { CHECK_EN } from "./en-later-check";
 import { CLASS_EN } from "./en-later-class";
 import { EXPERIMENT_EN } from "./en-later-experiment";
-import { LEARN_EN } from "./en-later-learn";
 import { LATER_TEAM_EN } from "./en-later-team";
-import { NEW_EN } from "./en-later-new";
 import { FIELDS_EN } from "./en-later-fields";
 import { KEYS_EN } from "./en-later-keys";
 import { KITS_EN } from "./en-later-kits";
@@ -17,12 +15,10 @@ import { SITE_EN } from "./en-later-site";
 
 export const LATER_EN = {
   ...ARENA_EN,
-  ...LEARN_EN,
   ...LATER_TEAM_EN,
   ...CHECK_EN,
   ...CLASS_EN,
   ...EXPERIMENT_EN,
-  ...NEW_EN,
   ...KITS_EN,
   ...FIELDS_EN,
   ...KEYS_EN,
@@ -50,7 +46,6 @@ export const LATER_EN = {
 
   ...SITE_EN,
   "exercise.count": { one: "{count} goal", other: "{count} goals" },
-  "exercise.broken": "This exercise cannot be used.",
   "exercise.of": "Exercise: {name}",
   "exercise.reached": "{done} of {total} goals",
   "exercise.leave": "Leave the exercise",
@@ -168,13 +163,9 @@ export const LATER_EN = {
   "tutorial.again": "Begin again",
   "tutorial.finished": "That was {name}. Well done!",
   "tutorial.finished-help": "Keep the program and change it as you like, or go on.",
-  "tutorial.teachers": { one: "For teachers: {count} minute", other: "For teachers: {count} minutes" },
-  "tutorial.troubles": "What goes wrong",
-  "tutorial.questions": "Questions for afterwards",
   "tutorial.left-over": "You are at the end. Some steps are still open.",
   "tutorial.count": { one: "{count} step", other: "{count} steps" },
   "tutorial.at": "step {number} of {total}",
-  "tutorial.broken": "This tutorial cannot be used:",
 
   "sweep.title": "Fail each robot",
   "sweep.close": "Close the map of failures",
@@ -307,6 +298,4 @@ export const LATER_EN = {
   "own.kind-number": "a number",
   "own.kind-text": "a text",
   "own.kind-action": "an action",
-  "own.look": "Icon and colour",
-  "own.used-nowhere": "It is not used.",
 } as const;

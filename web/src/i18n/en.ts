@@ -5,6 +5,8 @@ import { EDITOR_EN } from "./en-editor";
 import { EXPORT_EN } from "./en-export";
 import { FAILURES_EN } from "./en-failures";
 import { JOURNAL_EN } from "./en-journal";
+import { LEARN_EN } from "./en-learn";
+import { NEW_EN } from "./en-new";
 import { RECORDING_EN } from "./en-recording";
 import { ROBOTS_EN } from "./en-robots";
 import { TEAM_EN } from "./en-team";
@@ -16,6 +18,8 @@ import { WORLD_EN } from "./en-world";
 export const EN = {
   ...EDITOR_EN,
   ...JOURNAL_EN,
+  ...LEARN_EN,
+  ...NEW_EN,
   ...EXPORT_EN,
   ...CUSTOM_BLOCKS_EN,
   ...ACCESSIBILITY_EN,
@@ -86,7 +90,6 @@ export const EN = {
   "view.arena": "Arena",
 
   "program.add": "Add a program for a robot",
-  "program.add-for": "Add a program for {robot}",
   "program.rename": "Rename…",
   "program.delete": "Delete {name}",
   "program.name": "Name of the program",
@@ -144,7 +147,6 @@ export const EN = {
   "banner.conflict-keep": "Save mine over it",
   "banner.conflict-theirs": "Open the one on disk",
   "banner.conflict-as": "Save under another name…",
-  "banner.check-failed": "The program could not be checked.",
   "banner.line": "Line {line}: {message}",
   "banner.retry": "Try again",
 
@@ -183,7 +185,6 @@ export const EN = {
 
   "arena.title": "Arena",
   "arena.label": "Arena: the world with its robots",
-  "arena.empty": "empty",
   "arena.no-world": "There is no world to show. The list of problems says why.",
   "arena.real": "Real robots do not tell where they are. This is the world without them.",
   "arena.no-robot": "No robot is here yet. The tab Team adds one.",

@@ -135,3 +135,17 @@ it("begins a sentence large, but leaves a quoted name as it is", () => {
     "",
   ]);
 });
+
+it("every sentence is said somewhere, by its key or by one that begins `so.${…}`", () => {
+  const sources = import.meta.glob<string>(["../**/*.{ts,tsx}", "!./en*.ts", "!../**/*.test.*"], {
+    query: "?raw",
+    import: "default",
+    eager: true,
+  });
+  const source = Object.values(sources).join("\n");
+  const said = new Set([...source.matchAll(/"([\w.-]+)"/g)].map(([, key]) => key));
+  const beginnings = [...source.matchAll(/`([\w.-]+[.-])\$\{/g)].map(([, key = ""]) => key);
+  const keys = [...Object.keys(FIRST_EN), ...Object.keys(LATER_EN)];
+  expect(keys.length).toBeGreaterThan(1000);
+  expect(keys.filter((key) => !said.has(key) && !beginnings.some((one) => key.startsWith(one)))).toEqual([]);
+});

@@ -226,3 +226,10 @@ export const useStudio = create<StudioState>((set, get) => {
 export function programInView(state: StudioState): Program | undefined {
   return state.mission.programs.find((one) => one.name === state.activeProgram);
 }
+
+/** Does a command in the document; says whether there was one. */
+export function execute(command: Command | null): boolean {
+  if (command === null) return false;
+  useStudio.getState().execute(command);
+  return true;
+}

@@ -20,6 +20,12 @@ export function isHeldByRobots(): boolean {
   return real && isLive(status);
 }
 
+/** Whether what goes on goes at its own pace: real robots, or a fleet. */
+export function isHeldByRobotsOrFleet(): boolean {
+  const { isFleet, status } = useRun.getState();
+  return isHeldByRobots() || (isFleet && isLive(status));
+}
+
 /** The mission with what befell agents in a run on its schedule. */
 export function withFailures(mission: Mission, run: ConfirmingRun): Mission {
   const failures = [...(mission.failures ?? []), ...run.failures];

@@ -6,6 +6,7 @@
 import { isUnsaved } from "../model/history";
 import { useStudio } from "../model/studio";
 import type { MissionFile } from "../model/types";
+import { parseStored, readStored, writeStored } from "../ui/stored";
 import { useDocument, whenReady } from "./document";
 import { flush, isKept } from "./journal";
 import { type Recovered, recordsOf, recover } from "./journal-records";
@@ -18,45 +19,26 @@ interface EarlyWork {
   records: string[];
 }
 
-function stored(): string | null {
-  try {
-    return localStorage.getItem(KEY);
-  } catch {
-    return null;
-  }
-}
-
-function read(): EarlyWork | null {
-  try {
-    return JSON.parse(stored() ?? "null") as EarlyWork | null;
-  } catch {
-    return null;
-  }
-}
-
 /** Whether the browser keeps early work that no journal has yet. */
 export function hasEarlyWork(): boolean {
-  return stored() !== null;
+  return readStored(KEY) !== null;
 }
 
 /** What was done to that mission in an earlier visit that ended before the studio was there. */
 export function earlyWorkOn({ path, revision }: MissionFile): Recovered | null {
-  const work = read();
+  const work = parseStored(readStored(KEY)) as EarlyWork | null;
   const here = work?.path === path && work.revision === revision && Array.isArray(work.records);
   return here ? recover(work.records) : null;
 }
 
 function store(): void {
   const { file, history } = useStudio.getState();
-  try {
-    if (!isUnsaved(history) && history.future.length === 0) localStorage.removeItem(KEY);
-    else {
-      const { path, revision } = file;
-      localStorage.setItem(KEY, JSON.stringify({ path, revision, records: recordsOf(history, revision) }));
-    }
-  } catch {
-    // Without room for it, leaving the page asks.
-  }
+  const { path, revision } = file;
+  const isNone = !isUnsaved(history) && history.future.length === 0;
+  const text = isNone ? null : JSON.stringify({ path, revision, records: recordsOf(history, revision) });
+  writeStored(KEY, text);
+  // Without room for it there is none, and leaving the page asks.
+  if (readStored(KEY) !== text) writeStored(KEY, null);
 }
 
 /** Keeps what is done to the drawn mission; `kept` is called once the journal has it. */
@@ -68,7 +50,7 @@ export function keepEarlyWork(kept: () => void): void {
     offStudio();
     await flush();
     if (!hasEarlyWork() || !isKept()) return;
-    localStorage.removeItem(KEY);
+    writeStored(KEY, null);
     kept();
   });
 }

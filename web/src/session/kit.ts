@@ -7,6 +7,7 @@ import { create } from "zustand";
 
 import type { KitEntry } from "../api/generated";
 import type { Robot, RobotObject } from "../model/types";
+import { parseStored, readStored, writeStored } from "../ui/stored";
 
 export type BuiltKit = Pick<KitEntry, "name" | "label" | "absent">;
 
@@ -22,12 +23,7 @@ function isTable(value: unknown): value is Record<string, unknown> {
 
 /** The kit that was remembered; null for what is none. */
 export function readKit(text: string | null): BuiltKit | null {
-  let found: unknown;
-  try {
-    found = JSON.parse(text ?? "null");
-  } catch {
-    return null;
-  }
+  const found = parseStored(text);
   if (!isTable(found)) return null;
   const { name, label, absent } = found;
   if (!isText(name) || !isTable(label) || !isTable(absent)) return null;
@@ -37,23 +33,12 @@ export function readKit(text: string | null): BuiltKit | null {
   return { name, label: label as BuiltKit["label"], absent: absent as BuiltKit["absent"] };
 }
 
-export const useKit = create<{ kit: BuiltKit | null }>(() => {
-  try {
-    return { kit: readKit(localStorage.getItem(KEY)) };
-  } catch {
-    return { kit: null };
-  }
-});
+export const useKit = create<{ kit: BuiltKit | null }>(() => ({ kit: readKit(readStored(KEY)) }));
 
 /** From now on parts are those of this kit; null for those of the robot's own file. */
 export function buildWith(kit: BuiltKit | null): void {
   useKit.setState({ kit: kit === null ? null : { name: kit.name, label: kit.label, absent: kit.absent } });
-  try {
-    if (kit === null) localStorage.removeItem(KEY);
-    else localStorage.setItem(KEY, JSON.stringify(useKit.getState().kit));
-  } catch {
-    // A browser that keeps nothing shows the kit until the page is closed.
-  }
+  writeStored(KEY, kit === null ? null : JSON.stringify(useKit.getState().kit));
 }
 
 export function isAbsent(kit: BuiltKit | null, robot: string, object: Pick<RobotObject, "category" | "name">): boolean {

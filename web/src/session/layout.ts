@@ -5,6 +5,7 @@
  * inspector is as tall as its content until somebody gives it a height.
  */
 import { create } from "zustand";
+import { parseStored, readStored, writeStored } from "../ui/stored";
 
 export type Panel = "palette" | "inspector" | "code" | "arena";
 export type Edge = "palette" | "side" | "inspector" | "code";
@@ -35,18 +36,10 @@ function within(edge: Edge, size: number): number {
   return size === USUAL[edge] ? size : Math.round(Math.min(Math.max(size, LEAST[edge]), MOST[edge]));
 }
 
-function parsed(text: string | null): unknown {
-  try {
-    return JSON.parse(text ?? "null");
-  } catch {
-    return null;
-  }
-}
-
 /** What was remembered, as far as it makes sense. */
 export function readLayout(text: string | null): { sizes: Sizes; folded: Record<Panel, boolean> } {
   const layout = { sizes: { ...USUAL }, folded: { ...OPEN } };
-  const found = parsed(text);
+  const found = parseStored(text);
   if (typeof found !== "object" || found === null) return layout;
   const { sizes, folded } = found as { sizes?: Record<string, unknown>; folded?: Record<string, unknown> };
   for (const edge of Object.keys(USUAL) as Edge[]) {
@@ -57,24 +50,12 @@ export function readLayout(text: string | null): { sizes: Sizes; folded: Record<
   return layout;
 }
 
-function stored(): string | null {
-  try {
-    return localStorage.getItem(KEY);
-  } catch {
-    return null;
-  }
-}
-
 export const useLayout = create<LayoutState>((set) => ({
-  ...readLayout(stored()),
+  ...readLayout(readStored(KEY)),
   resize: (edge, size) => set(({ sizes }) => ({ sizes: { ...sizes, [edge]: within(edge, size) } })),
   toggle: (panel) => set(({ folded }) => ({ folded: { ...folded, [panel]: !folded[panel] } })),
 }));
 
 useLayout.subscribe(({ sizes, folded }) => {
-  try {
-    localStorage.setItem(KEY, JSON.stringify({ sizes, folded }));
-  } catch {
-    // The layout then holds until the page is closed.
-  }
+  writeStored(KEY, JSON.stringify({ sizes, folded }));
 });

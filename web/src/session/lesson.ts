@@ -1,6 +1,7 @@
 /** A lesson of the path to learn, and where one stands on it, as pure functions. */
 import type { TeacherPage } from "../api/generated";
 import type { Problem, Texts } from "../model/types";
+import { parseStored } from "../ui/stored";
 
 export type LessonKind = "tutorial" | "exercise";
 
@@ -41,10 +42,6 @@ export function nextLesson(path: readonly Lesson[], learned: readonly string[], 
 
 /** The names that were remembered, as far as they make sense. */
 export function readLearned(text: string | null): string[] {
-  try {
-    const found: unknown = JSON.parse(text ?? "[]");
-    return Array.isArray(found) ? found.filter((one): one is string => typeof one === "string") : [];
-  } catch {
-    return [];
-  }
+  const found = parseStored(text);
+  return Array.isArray(found) ? found.filter((one): one is string => typeof one === "string") : [];
 }

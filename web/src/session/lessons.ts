@@ -6,6 +6,7 @@ import { create } from "zustand";
 
 import { features } from "./features";
 import { inOrder, type Lesson, type LessonKind, nextLesson, readLearned } from "./lesson";
+import { readStored, writeStored } from "../ui/stored";
 
 const KEY = "kitrobot.learned";
 
@@ -22,17 +23,9 @@ interface Lessons {
   open: Readonly<Record<LessonKind, OpenLesson | null>>;
 }
 
-function remembered(): string[] {
-  try {
-    return readLearned(localStorage.getItem(KEY));
-  } catch {
-    return [];
-  }
-}
-
 export const useLessons = create<Lessons>(() => ({
   path: null,
-  learned: remembered(),
+  learned: readLearned(readStored(KEY)),
   open: { tutorial: null, exercise: null },
 }));
 
@@ -51,15 +44,7 @@ export function setOpenLesson(kind: LessonKind, lesson: OpenLesson | null): void
   if (before?.name === lesson?.name && before?.done === lesson?.done) return;
   const isNew = lesson?.done === true && !learned.includes(lesson.name);
   set({ open: { ...open, [kind]: lesson }, ...(isNew ? { learned: [...learned, lesson.name] } : {}) });
-  if (isNew) keepLearned();
-}
-
-function keepLearned(): void {
-  try {
-    localStorage.setItem(KEY, JSON.stringify(useLessons.getState().learned));
-  } catch {
-    // Then it is remembered until the page is closed.
-  }
+  if (isNew) writeStored(KEY, JSON.stringify(useLessons.getState().learned));
 }
 
 /** The lesson that is open, of whatever kind. */

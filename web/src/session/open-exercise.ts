@@ -1,5 +1,6 @@
 /** Which exercise is open in this browser, and as which mission, kept over a reload; and how far its goals are. */
 import { create } from "zustand";
+import { parseStored, readStored, writeStored } from "../ui/stored";
 
 const KEY = "kitrobot.exercise";
 
@@ -11,22 +12,10 @@ export interface Remembered {
 
 /** What was remembered, as far as it makes sense; null for nothing. */
 export function readRemembered(text: string | null): Remembered | null {
-  try {
-    const found: unknown = JSON.parse(text ?? "null");
-    if (typeof found !== "object" || found === null) return null;
-    const { name, path } = found as Record<string, unknown>;
-    return typeof name === "string" && typeof path === "string" ? { name, path } : null;
-  } catch {
-    return null;
-  }
-}
-
-function stored(): Remembered | null {
-  try {
-    return readRemembered(localStorage.getItem(KEY));
-  } catch {
-    return null;
-  }
+  const found = parseStored(text);
+  if (typeof found !== "object" || found === null) return null;
+  const { name, path } = found as Record<string, unknown>;
+  return typeof name === "string" && typeof path === "string" ? { name, path } : null;
 }
 
 interface OpenExercise {
@@ -36,7 +25,7 @@ interface OpenExercise {
 }
 
 /** The exercise that is open; the panel, which is fetched later, shows it. */
-export const useOpenExercise = create<OpenExercise>(() => ({ open: stored(), goals: [] }));
+export const useOpenExercise = create<OpenExercise>(() => ({ open: readRemembered(readStored(KEY)), goals: [] }));
 
 export function setGoals(goals: OpenExercise["goals"]): void {
   useOpenExercise.setState({ goals });
@@ -44,10 +33,5 @@ export function setGoals(goals: OpenExercise["goals"]): void {
 
 export function remember(open: Remembered | null): void {
   useOpenExercise.setState({ open });
-  try {
-    if (open === null) localStorage.removeItem(KEY);
-    else localStorage.setItem(KEY, JSON.stringify(open));
-  } catch {
-    // Then it is remembered until the page is closed.
-  }
+  writeStored(KEY, open === null ? null : JSON.stringify(open));
 }

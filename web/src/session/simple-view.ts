@@ -12,6 +12,7 @@ import { useStudio } from "../model/studio";
 import { TEAM_ROBOT } from "../model/team-robot";
 import type { Mission } from "../model/types";
 import { note, useDocument } from "./document";
+import { writeStored } from "../ui/stored";
 
 /**
  * `seed`: where chance begins. `ticks`: numbers of ticks, and steps by one. `places`: coordinates, lines of LLL, names of parts
@@ -51,11 +52,7 @@ export function readSimple(storage: Pick<Storage, "getItem" | "key" | "length">)
 }
 
 function remember(chosen: boolean): void {
-  try {
-    localStorage.setItem(KEY, chosen ? "yes" : "no");
-  } catch {
-    // It then holds until the page is closed.
-  }
+  writeStored(KEY, chosen ? "yes" : "no");
 }
 
 function begin(): boolean {

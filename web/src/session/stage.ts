@@ -8,6 +8,7 @@
 import { create } from "zustand";
 
 import { useStudio } from "../model/studio";
+import { readStored, writeStored } from "../ui/stored";
 
 interface Stage {
   large: boolean;
@@ -21,19 +22,11 @@ interface Stage {
 
 const KEY = "kitrobot.text";
 
-/** Whether somebody asked for the text in this browser, and did not send it away since. */
-function wantsText(): boolean {
-  try {
-    return localStorage.getItem(KEY) === "yes";
-  } catch {
-    return false;
-  }
-}
-
 export const useStage = create<Stage>(() => ({
   large: false,
   beside: false,
-  text: wantsText(),
+  // Somebody asked for the text in this browser, and did not send it away since.
+  text: readStored(KEY) === "yes",
   selectedBefore: null,
   lesson: false,
 }));
@@ -47,11 +40,7 @@ export function setBeside(beside: boolean): void {
 /** The text comes back beside the arena and stays there, or goes again; this browser remembers which. */
 export function toggleText(): void {
   useStage.setState(({ beside }) => ({ beside: !beside, text: beside }));
-  try {
-    localStorage.setItem(KEY, useStage.getState().text ? "yes" : "no");
-  } catch {
-    // It is remembered as long as the page is open.
-  }
+  writeStored(KEY, useStage.getState().text ? "yes" : "no");
 }
 
 export function enlargeStage(large: boolean): void {

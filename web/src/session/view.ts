@@ -4,6 +4,7 @@ import { create } from "zustand";
 import type { Point } from "../model/layout";
 import { useStudio } from "../model/studio";
 import type { Place } from "../model/tree";
+import { readStored, writeStored } from "../ui/stored";
 
 /** An open type-to-add: the vertex beside which it opens (else the selected arc), and the slot it is for, if any. */
 export interface Adding {
@@ -59,14 +60,6 @@ interface ViewState {
 
 const LIVE = "kitrobot.live";
 
-function remembered(): boolean {
-  try {
-    return localStorage.getItem(LIVE) !== "off";
-  } catch {
-    return true;
-  }
-}
-
 export const useView = create<ViewState>((set) => ({
   arc: null,
   adding: null,
@@ -77,7 +70,7 @@ export const useView = create<ViewState>((set) => ({
   following: true,
   resting: false,
   minimap: false,
-  live: remembered(),
+  live: readStored(LIVE) !== "off",
   finding: false,
   menu: null,
   selectArc: (arc) => {
@@ -160,11 +153,7 @@ export function toggleMinimap(): void {
 export function toggleLive(): void {
   const live = !useView.getState().live;
   useView.setState({ live });
-  try {
-    localStorage.setItem(LIVE, live ? "on" : "off");
-  } catch {
-    // It then holds until the page is closed.
-  }
+  writeStored(LIVE, live ? "on" : "off");
 }
 
 let still = false;

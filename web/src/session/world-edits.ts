@@ -5,7 +5,7 @@ import type { Command } from "../model/command";
 import { bringWorld, changeOwnWorld, isFreeName, isNamed, removeThings } from "../model/commands/changeOwnWorld";
 import { startOf } from "../model/starts";
 import { changeWorld } from "../model/commands/changeWorld";
-import { useStudio } from "../model/studio";
+import { execute, useStudio } from "../model/studio";
 import { typedName } from "../model/typed-name";
 import type { Mission, OwnWorld } from "../model/types";
 import { withStartsFor } from "../model/world/begun";
@@ -17,12 +17,6 @@ import { type Kind, partOf, type Thing } from "../model/world/thing";
 import { added, withDependents } from "../model/world/things";
 import { complain, dismissBanner, note } from "./document";
 import { choose, chosenIn, ownWorld, say, startWith, useWorld } from "./world-view";
-
-export function execute(command: Command | null): boolean {
-  if (command === null) return false;
-  useStudio.getState().execute(command);
-  return true;
-}
 
 /** The mission's world becomes `world`, as one step. */
 export function change(label: string, world: OwnWorld, joins?: string): boolean {

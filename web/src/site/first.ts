@@ -9,32 +9,20 @@ import type { MissionFile } from "../model/types";
 import { useDocument } from "../session/document";
 import { earlyWorkOn, hasEarlyWork, keepEarlyWork } from "../session/early-work";
 import { drawAhead } from "../session/opening";
+import { readStored, writeStored } from "../ui/stored";
 
 /** Stands in the browser once something else was done. */
 const OVER = "kitrobot.begun";
 
-function isOver(): boolean {
-  try {
-    return localStorage.getItem(OVER) !== null;
-  } catch {
-    // Then the browser keeps missions as little as this.
-    return false;
-  }
-}
-
 function rememberOver(): void {
-  try {
-    // Early work is on the first mission: until Python has it, that one comes back.
-    if (!hasEarlyWork()) localStorage.setItem(OVER, "yes");
-  } catch {
-    // As above.
-  }
+  // Early work is on the first mission: until Python has it, that one comes back.
+  if (!hasEarlyWork()) writeStored(OVER, "yes");
 }
 
 /** Whether the page will begin with that mission, as far as can be known without Python. */
 function willBeFirst(): boolean {
   const { hash, search } = window.location;
-  return pageRole === "" && hash === "" && !new URLSearchParams(search).has("open") && !isOver();
+  return pageRole === "" && hash === "" && !new URLSearchParams(search).has("open") && readStored(OVER) === null;
 }
 
 /** Draws it, unless the page begins with another one, or Python was there earlier. */

@@ -4,10 +4,9 @@
  * Names of the bounded set are drawn at once. For another one a second, small set is fetched (once, from our own server), and
  * where it is not in that the whole one; until it is there, and for an unknown name, a plain square is drawn.
  */
-import type { LucideIcon } from "lucide-react";
 import { createElement, useEffect, useState } from "react";
 
-import { ICONS } from "./icons";
+import ICONS from "./icons.lucide";
 
 interface IconProps {
   name: string;
@@ -19,23 +18,17 @@ interface IconProps {
 
 const FALLBACK = "square-dashed";
 
-type Icons = Readonly<Record<string, LucideIcon>>;
-
-/** The sets that were fetched, by kebab-case and by PascalCase names. */
-let more: Icons | null = null;
-let all: Icons | null = null;
+/** The sets that were fetched. */
+let more: typeof ICONS | null = null;
+let all: typeof ICONS | null = null;
 let loading: Promise<void> | null = null;
 let loadingAll: Promise<void> | null = null;
 
-function pascal(name: string): string {
-  return name.replace(/(?:^|-)([a-z0-9])/g, (_, letter: string) => letter.toUpperCase());
-}
-
 /** Every lucide icon, from chunks of their own. */
 export function loadIcons(): Promise<void> {
-  loadingAll ??= Promise.all([loadMore(), import("./all-icons")]).then(
+  loadingAll ??= Promise.all([loadMore(), import("./all.lucide")]).then(
     ([, module]) => {
-      all = module.ALL_ICONS;
+      all = module.default;
     },
     () => {
       // Offline or cut off: the fallback stays.
@@ -46,9 +39,9 @@ export function loadIcons(): Promise<void> {
 }
 
 function loadMore(): Promise<void> {
-  loading ??= import("./more-icons").then(
+  loading ??= import("./more.lucide").then(
     (module) => {
-      more = module.MORE_ICONS;
+      more = module.default;
     },
     () => {
       loading = null;
@@ -62,9 +55,8 @@ async function load(name: string): Promise<void> {
   if (known(name) === undefined) await loadIcons();
 }
 
-function known(name: string): LucideIcon | undefined {
-  if (Object.hasOwn(ICONS, name)) return ICONS[name];
-  return more !== null && Object.hasOwn(more, name) ? more[name] : all?.[pascal(name)];
+function known(name: string): (typeof ICONS)[string] | undefined {
+  return [ICONS, more, all].find((icons) => icons !== null && Object.hasOwn(icons, name))?.[name];
 }
 
 export function Icon({ name, size = 16, label, className }: IconProps) {
@@ -81,12 +73,22 @@ export function Icon({ name, size = 16, label, className }: IconProps) {
       alive = false;
     };
   }, [missing, name]);
-  const drawn = found ?? ICONS[FALLBACK];
-  if (drawn === undefined) return null;
-  return createElement(drawn, {
-    size,
-    strokeWidth: size >= 20 ? 1.75 : 2,
-    className: className ?? "",
-    ...(label === undefined ? { "aria-hidden": true } : { role: "img", "aria-label": label }),
-  });
+  const shown = found === undefined ? FALLBACK : name;
+  return (
+    <svg
+      xmlns="http://www.w3.org/2000/svg"
+      width={size}
+      height={size}
+      viewBox="0 0 24 24"
+      fill="none"
+      stroke="currentColor"
+      strokeWidth={size >= 20 ? 1.75 : 2}
+      strokeLinecap="round"
+      strokeLinejoin="round"
+      className={`lucide lucide-${shown} ${className ?? ""}`.trim()}
+      {...(label === undefined ? { "aria-hidden": true } : { role: "img", "aria-label": label })}
+    >
+      {known(shown)?.map(([tag, attributes], at) => createElement(tag, { key: at, ...attributes }))}
+    </svg>
+  );
 }

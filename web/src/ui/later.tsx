@@ -11,16 +11,22 @@ import { holdKeys } from "./held-keys";
 
 type Fail = (cause: unknown) => void;
 
-/** `typing`: the part takes the focus into a field; keys that are pressed before it is there are pressed in that. */
+interface LaterOptions {
+  /** The part takes the focus into a field; keys that are pressed before it is there are pressed in that. */
+  typing?: boolean;
+  /** False for a part that says nothing which is fetched later: what begins without a mission shows no other. */
+  words?: boolean;
+}
+
 export function later<Props extends object>(
   load: () => Promise<ComponentType<Props>>,
   fail: Fail,
-  typing = false,
+  { typing = false, words = true }: LaterOptions = {},
 ): (props: Props) => ReactNode {
   let kept: ComponentType<Props> | null = null;
   let coming: Promise<void> | null = null;
   const fetchOnce = () =>
-    (coming ??= Promise.all([load(), moreWords()]).then(
+    (coming ??= Promise.all([load(), words ? moreWords() : null]).then(
       ([loaded]) => {
         kept = loaded;
       },

@@ -1,5 +1,6 @@
 /**
- * A program's LLL in CodeMirror: read at once, written as soon as the editing part is there.
+ * A program's LLL in CodeMirror: read at once, written as soon as the editing part is there. That is fetched when a pointer
+ * or the focus comes to the text, or a mistake is to be marked in it; keys that are pressed meanwhile are typed then.
  *
  * The text in it is `text` whenever that changes from outside, changed in the smallest stretch, so caret and scroll stay; what
  * the person types goes out by `onType` first and comes back as `text`.
@@ -8,7 +9,10 @@ import { Annotation, Compartment, EditorState, type Extension } from "@codemirro
 import { EditorView, placeholder } from "@codemirror/view";
 import { useEffect, useRef, useState } from "react";
 
+import { t } from "../../i18n/words";
 import type { Problem } from "../../model/types";
+import { complain } from "../../session/document";
+import { holdKeys } from "../../ui/held-keys";
 import type * as Editing from "./editing";
 import { lllExtensions, setShown, type Shown } from "./extensions";
 
@@ -22,6 +26,8 @@ interface TextEditorProps {
   /** Whether the graph shows this very text. */
   settled: boolean;
   around: Editing.Surroundings;
+  /** It is there to be written: the editing part is fetched at once. */
+  writes?: boolean;
   onType: (text: string, before: string) => void;
   onFocus: (on: boolean) => void;
   onPick: (offset: number, byMouse: boolean) => void;
@@ -51,20 +57,39 @@ export function TextEditor(props: TextEditorProps) {
   const place = useRef<HTMLDivElement>(null);
   const [view, setView] = useState<EditorView | null>(null);
   const [editing, setEditing] = useState<typeof Editing | null>(null);
+  const [touched, setTouched] = useState(props.writes === true);
+  const held = useRef<((give: boolean) => void) | null>(null);
   const latest = useRef(props);
   useEffect(() => {
     latest.current = props;
   });
 
+  const releaseKeys = (give: boolean) => {
+    held.current?.(give);
+    held.current = null;
+  };
+  useEffect(() => () => releaseKeys(false), []);
+
+  const wanted = touched || (problems !== null && problems.length > 0);
   useEffect(() => {
+    if (!wanted) return;
     let there = true;
-    void import("./editing").then((loaded) => {
-      if (there) setEditing(loaded);
-    });
+    import("./editing").then(
+      (loaded) => {
+        if (there) setEditing(loaded);
+      },
+      () => {
+        releaseKeys(false);
+        if (!there) return;
+        // The next touch tries again.
+        setTouched(false);
+        complain(new Error(t("error.offline")));
+      },
+    );
     return () => {
       there = false;
     };
-  }, []);
+  }, [wanted]);
 
   useEffect(() => {
     const parent = place.current;
@@ -127,6 +152,7 @@ export function TextEditor(props: TextEditorProps) {
     // A view that has the focus meanwhile keeps it, and its caret.
     view.dispatch({ effects: writing.reconfigure(extensions) });
     if (place.current !== null) place.current.dataset["writable"] = "true";
+    releaseKeys(true);
   }, [view, editing]);
 
   useEffect(() => {
@@ -156,5 +182,18 @@ export function TextEditor(props: TextEditorProps) {
     view.dispatch({ effects: EditorView.scrollIntoView(first, { y: "nearest", yMargin: 24 }) });
   }, [first, text, view]);
 
-  return <div className="text-view" ref={place} data-testid="code-editor" data-writable="false" />;
+  return (
+    <div
+      className="text-view"
+      ref={place}
+      data-testid="code-editor"
+      data-writable="false"
+      onPointerEnter={() => setTouched(true)}
+      onFocus={() => {
+        setTouched(true);
+        if (editing === null) held.current ??= holdKeys();
+      }}
+      onBlur={() => releaseKeys(false)}
+    />
+  );
 }

@@ -69,7 +69,7 @@ function Open({ drawing }: { drawing: Drawing }) {
   return (
     <section className="outline-panel column" aria-label={t("outline.title")} data-testid="outline">
       <header>
-        <h2>{t("outline.title")}</h2>
+        <h2 className="panel-title">{t("outline.title")}</h2>
         <Tool small icon="x" label={t("outline.close")} titled={false} onClick={closeOutline} />
       </header>
       <div

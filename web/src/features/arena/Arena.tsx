@@ -58,7 +58,7 @@ function Heading({ scene, painter, stage }: HeadingProps) {
   ];
   return (
     <header className="side-head row rigid">
-      <h2>{t("arena.title")}</h2>
+      <h2 className="panel-title">{t("arena.title")}</h2>
       <span className="side-note ellipsis muted small-text" title={what}>
         {what}
       </span>

@@ -46,11 +46,13 @@ import { ZoomControl } from "./ZoomControl";
 
 const ContextMenu = later(() => import("./ContextMenu").then((chunk) => chunk.ContextMenu), complain);
 const Pinch = later(() => import("./pinch").then((chunk) => chunk.Pinch), complain);
-const NoteEditor = later(() => import("./NoteEditor").then((chunk) => chunk.NoteEditor), complain, true);
-const Find = later(() => import("./Find").then((chunk) => chunk.Find), complain, true);
-const InPlace = later(() => import("./InPlace").then((chunk) => chunk.InPlace), complain, true);
+const NoteEditor = later(() => import("./NoteEditor").then((chunk) => chunk.NoteEditor), complain, { typing: true });
+const Find = later(() => import("./Find").then((chunk) => chunk.Find), complain, { typing: true });
+const InPlace = later(() => import("./InPlace").then((chunk) => chunk.InPlace), complain, { typing: true });
 const Minimap = later(() => import("./Minimap").then((chunk) => chunk.Minimap), complain);
-const EmptyTeaching = later(() => import("./EmptyTeaching").then((chunk) => chunk.EmptyTeaching), complain);
+const EmptyTeaching = later(() => import("./EmptyTeaching").then((chunk) => chunk.EmptyTeaching), complain, {
+  words: false,
+});
 
 /** The graph of the program in view; fills its parent. */
 export function Canvas() {

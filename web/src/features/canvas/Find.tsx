@@ -106,6 +106,7 @@ export function Find() {
         {hits.map((hit, index) => (
           <li
             key={`${hit.program} ${hit.vertex}`}
+            className="finger"
             id={`find-${String(index)}`}
             role="option"
             aria-selected={index === current}

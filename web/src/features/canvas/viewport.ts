@@ -2,6 +2,7 @@
 import { type RefObject, useEffect, useEffectEvent, useLayoutEffect, useRef, useState } from "react";
 import { create } from "zustand";
 
+import { type Box, boundsOf } from "../../model/layout";
 import { useStudio } from "../../model/studio";
 import type { Drawing } from "../../session/drawing";
 import { currentDrawing, nodeOf } from "../../session/drawing";
@@ -140,7 +141,7 @@ export function useViewport(root: RefObject<HTMLDivElement | null>, drawing: Dra
       zoomToSelection: () => {
         restFollowing();
         const now = currentDrawing();
-        const box = now === null ? null : boundsOf(now, useStudio.getState().selection);
+        const box = now === null ? null : boundsOfVertices(now, useStudio.getState().selection);
         if (box === null) {
           useView.getState().viewport?.fit();
           return;
@@ -219,24 +220,12 @@ export function useViewport(root: RefObject<HTMLDivElement | null>, drawing: Dra
   }, [camera, root]);
 }
 
-interface Box {
-  x: number;
-  y: number;
-  w: number;
-  h: number;
-}
-
 /** The box around vertices and the frames they own, or null for none. */
-function boundsOf(drawing: Drawing, ids: string[]): Box | null {
+function boundsOfVertices(drawing: Drawing, ids: string[]): Box | null {
   const nodes = ids.flatMap((id) => nodeOf(drawing, id) ?? []);
   const owners = new Set(nodes.map((node) => node.id));
   const boxes = [...nodes, ...drawing.layout.frames.filter((frame) => owners.has(frame.id))];
-  if (boxes.length === 0) return null;
-  const x = Math.min(...boxes.map((box) => box.x));
-  const y = Math.min(...boxes.map((box) => box.y));
-  const right = Math.max(...boxes.map((box) => box.x + box.w));
-  const bottom = Math.max(...boxes.map((box) => box.y + box.h));
-  return { x, y, w: right - x, h: bottom - y };
+  return boxes.length === 0 ? null : boundsOf(boxes);
 }
 
 /** Where a popup for the selection opens, in px from the canvas's corner. */

@@ -96,6 +96,7 @@ beforeEach(() => {
 afterEach(() => {
   act(() => root.unmount());
   useCheck.setState(useCheck.getInitialState());
+  useRun.setState(useRun.getInitialState());
   document.body.replaceChildren();
   vi.restoreAllMocks();
 });

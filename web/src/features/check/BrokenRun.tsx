@@ -56,7 +56,7 @@ export function BrokenRun({ cell }: { cell: Cell }) {
   return (
     <section className="check-run column" ref={place} data-testid="check-run" aria-label={t("check.run")}>
       <header className="check-run-head row">
-        <h3>{t("check.broken-under", { assumption: assumptionWords(column) })}</h3>
+        <h3 className="panel-title">{t("check.broken-under", { assumption: assumptionWords(column) })}</h3>
         <Tool small icon="x" label={t("check.run-close")} titled={false} onClick={() => openAnswer(null)} />
       </header>
       <p className="check-sentence">
@@ -138,7 +138,7 @@ function Story({ answer }: { answer: CheckedProperty }) {
       {parts.map(({ repeats, events }, index) => (
         <div key={index} data-repeats={repeats}>
           {repeats ? (
-            <h4>
+            <h4 className="panel-title">
               <Icon name="infinity" size={16} />
               {events.length === 0 ? t("check.stays") : t("check.repeats")}
             </h4>
@@ -157,7 +157,7 @@ function Story({ answer }: { answer: CheckedProperty }) {
 function Events({ events, leftOut, decided }: { events: readonly CheckedEvent[]; leftOut: number; decided: number }) {
   const gap = leftOut === 0 ? -1 : events.findIndex(({ step }, index) => step - (events[index - 1]?.step ?? step) > 1);
   return (
-    <ol>
+    <ol className="plain-list">
       {events.map(({ step, text }, index) => (
         <li key={index} data-decided={step === decided || undefined}>
           {index === gap ? (

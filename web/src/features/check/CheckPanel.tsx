@@ -1,15 +1,14 @@
 /** The panel of the check: what is asked, how far it is, the table of answers, and the run that breaks a property. */
 import { useState } from "react";
 
+import { DockPanel } from "../../components/DockPanel";
 import { Refused } from "../../components/Refused";
 import { decimal, grouped, readWhole } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { closeDock } from "../../session/dock";
 import { Button } from "../../ui/Button";
 import { Row } from "../../ui/Row";
 import { Select } from "../../ui/Select";
-import { Tool } from "../../ui/Tool";
 import { AnswerTable } from "./AnswerTable";
 import { BrokenRun } from "./BrokenRun";
 import { kindChoices, kindsOf, USUAL, valueOf } from "./kinds";
@@ -28,17 +27,7 @@ export function CheckPanel() {
   const open = useCheck((check) => check.open);
   const shown = useCheck((check) => answerAt(check, check.open) !== null);
   return (
-    <section
-      className="dock-panel check-panel column rigid"
-      id="check-panel"
-      data-testid="check"
-      aria-label={t("check.title")}
-    >
-      <header className="dock-head check-head row rigid">
-        <h2>{t("check.title")}</h2>
-        <Asking />
-        <Tool small icon="x" label={t("check.close")} titled={false} onClick={closeDock} />
-      </header>
+    <DockPanel id="check-panel" testId="check" title={t("check.title")} close={t("check.close")} tools={<Asking />}>
       <div className="check-body" data-run={shown}>
         <div className="check-answers column">
           <Refused refused={refused} />
@@ -47,7 +36,7 @@ export function CheckPanel() {
         </div>
         {shown && open !== null ? <BrokenRun key={`${String(open.row)} ${String(open.column)}`} cell={open} /> : null}
       </div>
-    </section>
+    </DockPanel>
   );
 }
 

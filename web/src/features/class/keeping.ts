@@ -23,6 +23,7 @@ import { useRun } from "../../session/run";
 import { tellArena } from "./arena";
 import { type Memory, type Place, placeFor, readMemory } from "./kept";
 import { leaveFiles } from "./left";
+import { readStored, writeStored } from "../../ui/stored";
 
 const QUIET_MS = 1200;
 const LONGEST_MS = 5000;
@@ -141,20 +142,13 @@ class PupilSync {
   #reporting: ReturnType<typeof setTimeout> | undefined;
 
   #recall(): void {
-    try {
-      this.#memory = readMemory(localStorage.getItem(storageName()));
-    } catch {
-      this.#memory = readMemory(null);
-    }
+    this.#memory = readMemory(readStored(storageName()));
   }
 
   #keepMemory(change: Partial<Memory>): void {
     this.#memory = { ...this.#memory, ...change };
-    try {
-      localStorage.setItem(storageName(), JSON.stringify(this.#memory));
-    } catch {
-      // Storage is full or denied: the work is in the page, and with the class once it answers.
-    }
+    // Where storage is full or denied, the work is in the page, and with the class once it answers.
+    writeStored(storageName(), JSON.stringify(this.#memory));
   }
 
   #changed(mission: Mission): void {

@@ -1,4 +1,5 @@
 /** What a pupil's page remembers of what it handed in: under which name and revision the class keeps each mission. */
+import { parseStored } from "../../ui/stored";
 
 export interface Place {
   name: string;
@@ -34,14 +35,10 @@ function isPlace(value: unknown): value is Place {
 
 /** What was remembered, as far as it makes sense. */
 export function readMemory(text: string | null): Memory {
-  let found: Record<string, unknown> = {};
-  try {
-    const value: unknown = JSON.parse(text ?? "null");
-    if (typeof value === "object" && value !== null) found = value as Record<string, unknown>;
-  } catch {
-    // Nothing of ours.
-  }
-  const { places, waiting, begun, handed, exercise, note } = found;
+  const found = parseStored(text);
+  const { places, waiting, begun, handed, exercise, note } = (
+    typeof found === "object" && found !== null ? found : {}
+  ) as Record<string, unknown>;
   const known =
     typeof places === "object" && places !== null ? Object.entries(places).filter(([, one]) => isPlace(one)) : [];
   const { shown, place, mission } = (typeof waiting === "object" && waiting !== null ? waiting : {}) as Record<

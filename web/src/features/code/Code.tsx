@@ -4,8 +4,7 @@
  * The LLL can be written: the graph follows. Selecting on either side shows the other; lines where threads of the watched
  * agent stand are marked.
  */
-import { useEffect, useState } from "react";
-
+import { CopyButton } from "../../components/CopyButton";
 import { listingExtensions } from "../../components/text/extensions";
 import { TextView } from "../../components/text/TextView";
 import { t } from "../../i18n/words";
@@ -17,38 +16,11 @@ import { useShown } from "../../session/simple-view";
 import { useTyping } from "../../session/typing";
 import { later } from "../../ui/later";
 import { TabList } from "../../ui/TabList";
-import { Tool } from "../../ui/Tool";
 import { useListing } from "./listing";
 import { Lll } from "./Lll";
 import "./code.css";
 
 const Projection = later(() => import("./Projection").then((chunk) => chunk.default), complain);
-const COPIED_MS = 1500;
-
-function CopyButton({ text }: { text: string }) {
-  const [copied, setCopied] = useState(false);
-  useEffect(() => {
-    if (!copied) return;
-    const timer = setTimeout(() => setCopied(false), COPIED_MS);
-    return () => clearTimeout(timer);
-  }, [copied]);
-  const label = copied ? t("code.copied") : t("code.copy");
-  return (
-    <Tool
-      small
-      icon={copied ? "check" : "copy"}
-      label={label}
-      testId="copy-code"
-      onClick={() => {
-        navigator.clipboard.writeText(text).then(
-          () => setCopied(true),
-          () => setCopied(false),
-        );
-      }}
-    />
-  );
-}
-
 export function Code() {
   const wanted = useCodeSide((code) => code.side);
   const isTeam = useStudio((studio) => studio.mission.programs.some((one) => one.robot === TEAM_ROBOT));
@@ -81,7 +53,14 @@ export function Code() {
         >
           {(one) => t(`code.${one}`)}
         </TabList>
-        {side === "projection" ? null : <CopyButton text={side === "lll" ? (typed ?? lll) : listing} />}
+        {side === "projection" ? null : (
+          <CopyButton
+            text={side === "lll" ? (typed ?? lll) : listing}
+            label={t("code.copy")}
+            copied={t("code.copied")}
+            testId="copy-code"
+          />
+        )}
       </header>
       <div className="code-panel" id="code-panel" role="tabpanel" aria-labelledby={`code-tab-${side}`}>
         {side === "projection" ? (

@@ -141,6 +141,7 @@ function Editing({ name, part }: { name: string; part: Constructor }) {
                 problems={problems}
                 settled={false}
                 around={around}
+                writes
                 onType={setCode}
                 onFocus={nothing}
                 onPick={nothing}

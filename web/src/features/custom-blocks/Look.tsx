@@ -4,7 +4,7 @@ import { useId, useState } from "react";
 import { type Key, t } from "../../i18n/words";
 import type { Colour } from "../../model/types";
 import { Icon, Tile } from "../../theme";
-import { ICONS } from "../../theme/icons";
+import ICONS from "../../theme/icons.lucide";
 import { Field } from "../../ui/Field";
 
 export interface LookOf {

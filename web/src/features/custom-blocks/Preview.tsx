@@ -5,7 +5,7 @@ import { GraphDrawing } from "../../components/graph/GraphDrawing";
 import { lllExtensions } from "../../components/text/extensions";
 import { TextView } from "../../components/text/TextView";
 import { t } from "../../i18n/words";
-import { layoutStructure } from "../../model/layout";
+import { type Box, boundsOf, layoutStructure } from "../../model/layout";
 import { partsOf } from "../../model/parts";
 import { readStructure } from "../../model/structure";
 import { findSpot } from "../../model/tree";
@@ -39,24 +39,9 @@ export function Preview({ catalogue, program, vertex, title }: PreviewProps) {
   );
 }
 
-interface Box {
-  x: number;
-  y: number;
-  w: number;
-  h: number;
-}
-
 /** The points of an arc, as boxes without size. */
 function around({ points }: { points: readonly { x: number; y: number }[] }): Box[] {
   return points.map(({ x, y }) => ({ x, y, w: 0, h: 0 }));
-}
-
-function boundsOf(boxes: readonly Box[]): Box {
-  const x = Math.min(...boxes.map((box) => box.x));
-  const y = Math.min(...boxes.map((box) => box.y));
-  const right = Math.max(...boxes.map((box) => box.x + box.w));
-  const bottom = Math.max(...boxes.map((box) => box.y + box.h));
-  return { x, y, w: right - x, h: bottom - y };
 }
 
 export function PartCode({ lll }: { lll: string }) {

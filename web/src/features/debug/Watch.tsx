@@ -7,6 +7,7 @@ import "./watch.css";
 
 import { useMemo, useState } from "react";
 
+import { DockPanel } from "../../components/DockPanel";
 import { numberTyped, within } from "../../components/fields/typed";
 import { t } from "../../i18n/words";
 import { inWords, measureOf } from "../../model/meaning";
@@ -15,10 +16,8 @@ import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { RobotObject } from "../../model/types";
 import { valueWords } from "../../model/words";
-import { closeDock } from "../../session/dock";
 import { can, type RunAgent, useRun, watchedAgent } from "../../session/run";
 import { Icon } from "../../theme";
-import { Tool } from "../../ui/Tool";
 import { EventList } from "./EventList";
 import { Plot } from "./Plot";
 
@@ -28,37 +27,37 @@ export function WatchPanel() {
   const chosen = useRun((run) => watchedAgent(run, program));
   const agent = chosen ?? agents[0];
   return (
-    <section
-      className="dock-panel watch-panel column rigid"
+    <DockPanel
       id="watch-panel"
-      data-testid="watch"
-      aria-label={t("debug.watch")}
+      testId="watch"
+      title={t("debug.watch")}
+      close={t("debug.watch-close")}
+      tools={
+        <>
+          {agents.length < 2 || agent === undefined ? null : (
+            <select
+              className="watched small-text"
+              aria-label={t("debug.agent")}
+              data-testid="watch-agent"
+              value={agent.name}
+              onChange={(event) => {
+                const found = agents.find((one) => one.name === event.target.value);
+                if (found === undefined) return;
+                useStudio.getState().setActiveProgram(found.program);
+                useRun.getState().selectAgent(found.name, found.program);
+              }}
+            >
+              {agents.map(({ name }) => (
+                <option key={name}>{name}</option>
+              ))}
+            </select>
+          )}
+          <span className="watch-space" />
+        </>
+      }
     >
-      <header className="dock-head row rigid">
-        <h2>{t("debug.watch")}</h2>
-        {agents.length < 2 || agent === undefined ? null : (
-          <select
-            className="watched small-text"
-            aria-label={t("debug.agent")}
-            data-testid="watch-agent"
-            value={agent.name}
-            onChange={(event) => {
-              const found = agents.find((one) => one.name === event.target.value);
-              if (found === undefined) return;
-              useStudio.getState().setActiveProgram(found.program);
-              useRun.getState().selectAgent(found.name, found.program);
-            }}
-          >
-            {agents.map(({ name }) => (
-              <option key={name}>{name}</option>
-            ))}
-          </select>
-        )}
-        <span className="watch-space" />
-        <Tool small icon="x" label={t("debug.watch-close")} titled={false} onClick={closeDock} />
-      </header>
       {agent === undefined ? <p className="dock-none muted">{t("debug.watch-nothing")}</p> : <Values agent={agent} />}
-    </section>
+    </DockPanel>
   );
 }
 

@@ -9,8 +9,9 @@ import { text } from "../../model/texts";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
-import { isHeldByRobots, judgeAll, keepExercise, leave, openExercise, play, stopJudging, useExercise } from "./judging";
+import { judgeAll, keepExercise, leave, openExercise, play, stopJudging, useExercise } from "./judging";
 import { type Mark, OPEN } from "./marks";
+import { isHeldByRobots } from "../../session/confirming-run";
 import { useOpenExercise } from "../../session/open-exercise";
 import { isShown } from "../../session/simple-view";
 import "./exercise.css";
@@ -92,7 +93,7 @@ export function ExercisePanel() {
     >
       <header className="exercise-head row wrap">
         <Icon name={shown.icon} size={18} />
-        <h2>{text(shown.label)}</h2>
+        <h2 className="panel-title">{text(shown.label)}</h2>
         <span className="exercise-count muted small-text" data-testid="exercise-count">
           {t("exercise.reached", { done, total: shown.goals.length })}
         </span>
@@ -115,7 +116,7 @@ export function ExercisePanel() {
         />
       </header>
       <p className="exercise-help">{text(shown.help)}</p>
-      <ol className="exercise-goals">
+      <ol className="exercise-goals plain-list">
         {shown.goals.map((goal, at) => (
           <Goal key={at} at={at} label={text(goal.label)} mark={marks[at] ?? OPEN} />
         ))}

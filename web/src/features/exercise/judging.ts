@@ -10,6 +10,7 @@ import { exerciseApi } from "../../api/exercises";
 import type { Exercise } from "../../api/generated";
 import { useStudio } from "../../model/studio";
 import type { Mission } from "../../model/types";
+import { isHeldByRobots } from "../../session/confirming-run";
 import { complain, show } from "../../session/document";
 import { openMissionOfLesson } from "../../session/open-requests";
 import { isLive, useRun } from "../../session/run";
@@ -170,12 +171,6 @@ export function stopJudging(): void {
 // As a function, so that what is awaited may change it.
 function isStopping(): boolean {
   return stopping;
-}
-
-/** Whether a run cannot be played now: real robots are not left to themselves. */
-export function isHeldByRobots(): boolean {
-  const { real, status } = useRun.getState();
-  return real && isLive(status);
 }
 
 /** Plays the run that shows what went wrong. */

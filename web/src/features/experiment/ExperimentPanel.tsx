@@ -1,11 +1,10 @@
 /** The panel of the experiment: a study is set up on the one side, and looked at on the other. */
 import { useEffect } from "react";
 
+import { DockPanel } from "../../components/DockPanel";
 import { Refused } from "../../components/Refused";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { closeDock } from "../../session/dock";
-import { Tool } from "../../ui/Tool";
 import { useWidth } from "../../ui/use-width";
 import { Progress } from "./Progress";
 import { Results } from "./Results";
@@ -46,20 +45,11 @@ export function ExperimentPanel() {
     </div>
   );
   return (
-    <section
-      className="dock-panel experiment-panel column rigid"
-      id="experiment-panel"
-      data-testid="experiment"
-      aria-label={t("experiment.title")}
-    >
-      <header className="dock-head row rigid">
-        <h2>{t("experiment.title")}</h2>
-        <Tool small icon="x" label={t("experiment.close")} titled={false} onClick={closeDock} />
-      </header>
+    <DockPanel id="experiment-panel" testId="experiment" title={t("experiment.title")} close={t("experiment.close")}>
       <div className="experiment-body" ref={box} data-narrow={isNarrow}>
         {/* One below the other, what came of a study is above what is chosen for the next one. */}
         {isNarrow && study !== null ? [results, setup] : [setup, results]}
       </div>
-    </section>
+    </DockPanel>
   );
 }

@@ -5,12 +5,13 @@ import type { Study, StudyRun } from "../../api/generated";
 import { Said } from "../../i18n/Said";
 import { handKey } from "../../i18n/touch";
 import { t } from "../../i18n/words";
+import { isHeldByRobotsOrFleet } from "../../session/confirming-run";
 import { useRun } from "../../session/run";
 import { Button } from "../../ui/Button";
 import { useWidth } from "../../ui/use-width";
 import { nearest, stackRuns, ticksOf } from "./chart";
 import { figure, measureWords, pointWords } from "./figures";
-import { isHeldByRobots, playRow, runsOf, useStudy } from "./study-work";
+import { playRow, runsOf, useStudy } from "./study-work";
 
 const SIZE = 12;
 const EDGE = 24;
@@ -32,7 +33,7 @@ export function RunStrip({ study, measure }: { study: Study; measure: number }) 
   const runs = useStudy((state) => state.runs);
   const number = useStudy((state) => state.point);
   const played = useStudy((state) => state.played);
-  const held = useRun(isHeldByRobots);
+  const held = useRun(isHeldByRobotsOrFleet);
   const point = study.points.find((one) => one.number === number) ?? study.points[0];
   const own = useMemo(() => runsOf({ runs, study }, point?.number ?? 0), [runs, study, point?.number]);
   const { dots, scale, height } = useMemo(

@@ -23,8 +23,9 @@ import { beginWork, type Work } from "../../api/work";
 import type { WhyRefused } from "../../components/Refused";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
+import { isHeldByRobotsOrFleet } from "../../session/confirming-run";
 import { complain } from "../../session/document";
-import { isLive, useRun } from "../../session/run";
+import { useRun } from "../../session/run";
 import { download } from "../../ui/download";
 
 type Message = ExperimentProgressMessage | ExperimentStudyMessage | WorkRefusedMessage;
@@ -210,16 +211,10 @@ export function breakOff(): void {
   set({ busy: null });
 }
 
-/** Whether no run can be played now: real robots go on at their own pace, and are not left to themselves. */
-export function isHeldByRobots(): boolean {
-  const { real, isFleet, status } = useRun.getState();
-  return (real || isFleet) && isLive(status);
-}
-
 /** Plays the very run of a row, in the place of what was on. */
 export async function playRow(row: number): Promise<void> {
   const where = place();
-  if (where === null || isHeldByRobots()) return;
+  if (where === null || isHeldByRobotsOrFleet()) return;
   set({ played: row });
   try {
     const { recording } = await experimentApi.replay(where, row);

@@ -5,9 +5,9 @@ import type { MissionEntry } from "../../api/generated";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
-import { Icon } from "../../theme";
 import { Card } from "./Card";
 import { ALL, byLevel, fitting, robotsOf, topicsOf, type Wish } from "./filter";
+import { SearchField } from "../../ui/SearchField";
 import { Button } from "../../ui/Button";
 import { Checkbox } from "../../ui/Checkbox";
 import { nextCard } from "../../ui/grid";
@@ -66,32 +66,19 @@ export function Gallery({ examples, open }: GalleryProps) {
   return (
     <section className="gallery-room" aria-label={t("open.examples")} ref={room} data-testid="gallery">
       <div className="gallery-tools row wrap">
-        <label className="gallery-find">
-          <Icon name="search" size={16} />
-          <span className="only-spoken">{t("gallery.find")}</span>
-          <input
-            ref={field}
-            className="field"
-            type="search"
-            placeholder={t("gallery.find")}
-            data-testid="gallery-find"
-            maxLength={100}
-            spellCheck={false}
-            autoComplete="off"
-            value={wish.words}
-            onChange={(event) => change({ words: event.target.value })}
-            onKeyDown={(event) => {
-              if (event.key === "ArrowDown" || event.key === "Enter") {
-                event.preventDefault();
-                cards()[0]?.focus();
-              } else if (event.key === "Escape" && wish.words !== "") {
-                // The first Escape empties the search, the next one closes the sheet.
-                event.stopPropagation();
-                change({ words: "" });
-              }
-            }}
-          />
-        </label>
+        <SearchField
+          className="gallery-find"
+          label={t("gallery.find")}
+          testId="gallery-find"
+          field={field}
+          value={wish.words}
+          set={(words) => change({ words })}
+          onKeyDown={(event) => {
+            if (event.key !== "ArrowDown" && event.key !== "Enter") return;
+            event.preventDefault();
+            cards()[0]?.focus();
+          }}
+        />
         <select
           className="field gallery-robot"
           aria-label={t("gallery.robot")}
@@ -106,7 +93,7 @@ export function Gallery({ examples, open }: GalleryProps) {
             </option>
           ))}
         </select>
-        <Checkbox className="gallery-plays" testId="gallery-plays" checked={plays} set={playsAlways}>
+        <Checkbox className="gallery-plays finger" testId="gallery-plays" checked={plays} set={playsAlways}>
           {t("gallery.move")}
         </Checkbox>
       </div>

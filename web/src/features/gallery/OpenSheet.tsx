@@ -13,9 +13,6 @@ import { useOpenable } from "./missions";
 import { Button } from "../../ui/Button";
 import { Sheet } from "../../ui/Sheet";
 
-// One chunk: an empty program shows a few of what the sheet shows all of.
-export { Examples } from "./Examples";
-
 function open(entry: MissionEntry): void {
   show(null);
   openPath(entry.path);

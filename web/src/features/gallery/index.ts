@@ -3,7 +3,7 @@ import { complain, show } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { later } from "../../ui/later";
 
-const Examples = later(() => import("./OpenSheet").then((chunk) => chunk.Examples), complain);
+const Examples = later(() => import("./Examples").then((chunk) => chunk.Examples), complain, { words: false });
 const OpenSheet = later(
   () => import("./OpenSheet").then((chunk) => chunk.OpenSheet),
   (cause) => {

@@ -82,7 +82,7 @@ function Teachers({ page }: { page: TeacherPage }) {
   ];
   return (
     <details className="learn-teachers small-text">
-      <summary>{t("tutorial.teachers", { count: page.minutes })}</summary>
+      <summary className="finger">{t("tutorial.teachers", { count: page.minutes })}</summary>
       <p>{text(page.aim)}</p>
       {lists
         .filter(({ texts }) => texts.length > 0)
@@ -119,7 +119,7 @@ export function Path({ lessons, brief = false }: PathProps) {
     cards[to]?.focus();
   };
   return (
-    <ol className="learn-path" ref={room}>
+    <ol className="learn-path plain-list" ref={room}>
       {lessons.map((lesson) => (
         <li key={lesson.name}>
           {lesson.usable ? (

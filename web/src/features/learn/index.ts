@@ -14,7 +14,7 @@ const LearnSheet = later(
     complain(cause);
   },
 );
-const Invitation = later(() => import("./LearnSheet").then((chunk) => chunk.Invitation), complain);
+const Invitation = later(() => import("./LearnSheet").then((chunk) => chunk.Invitation), complain, { words: false });
 
 declare module "../../session/document" {
   interface Overlays {

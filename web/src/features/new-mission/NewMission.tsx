@@ -24,9 +24,19 @@ import { RobotsPicture } from "./RobotsPicture";
 import "./new-mission.css";
 import { borrowFocus } from "../../ui/borrow-focus";
 
-const GraphPicture = later(() => import("../../components/WorldPicture").then((chunk) => chunk.GraphPicture), complain);
-const WorldPicture = later(() => import("../../components/WorldPicture").then((chunk) => chunk.WorldPicture), complain);
-const RunPicture = later(() => import("../../components/RunPicture").then((chunk) => chunk.RunPicture), complain);
+const GraphPicture = later(
+  () => import("../../components/WorldPicture").then((chunk) => chunk.GraphPicture),
+  complain,
+  { words: false },
+);
+const WorldPicture = later(
+  () => import("../../components/WorldPicture").then((chunk) => chunk.WorldPicture),
+  complain,
+  { words: false },
+);
+const RunPicture = later(() => import("../../components/RunPicture").then((chunk) => chunk.RunPicture), complain, {
+  words: false,
+});
 
 /** What was chosen last stays chosen while the page is open. */
 const useLastChoice = create<Choice>(() => ({ robotSet: "", place: "", starter: "" }));
@@ -120,7 +130,7 @@ function Abilities({ title, all }: { title: string; all: readonly Ability[] }) {
   return (
     <section className="new-abilities">
       <h3>{title}</h3>
-      <ul>
+      <ul className="plain-list">
         {all.map(({ icon, label }) => (
           <li key={label[""]}>
             <Icon name={icon} size={16} />

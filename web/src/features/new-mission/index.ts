@@ -9,6 +9,7 @@ const NewMission = later(
     show(null);
     complain(cause);
   },
+  { words: false },
 );
 
 declare module "../../session/document" {

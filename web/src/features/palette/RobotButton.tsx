@@ -9,7 +9,11 @@ import { later } from "../../ui/later";
 import { MenuButton } from "../../ui/MenuButton";
 import type { MenuEntry } from "../../ui/menu-model";
 
-const RobotPicture = later(() => import("../../components/RobotPicture").then((chunk) => chunk.RobotPicture), complain);
+const RobotPicture = later(
+  () => import("../../components/RobotPicture").then((chunk) => chunk.RobotPicture),
+  complain,
+  { words: false },
+);
 
 function takeRobot(robot: string): void {
   import("../../model/commands/changeRobot").then(({ changeRobot }) => {

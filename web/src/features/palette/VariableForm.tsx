@@ -102,7 +102,9 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
         close();
       }}
     >
-      <h2 id={`${id}-title`}>{title}</h2>
+      <h2 id={`${id}-title`} className="panel-title">
+        {title}
+      </h2>
       <p>{t("variable.of", { robot: text(label ?? {}, robot) })}</p>
       <Field label={t("variable.name")}>
         <input
@@ -151,7 +153,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
         )}
       </div>
       <Checkbox
-        className="variable-shared"
+        className="variable-shared finger"
         testId="variable-shared"
         checked={typed.shared}
         set={(shared) => change({ shared })}

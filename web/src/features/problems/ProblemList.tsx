@@ -1,17 +1,16 @@
 /** The list of problems above the bottom bar, a piece of it at a time; fetched when it is opened first. */
 import { useEffect, useRef, useState } from "react";
 
+import { DockHead } from "../../components/DockPanel";
 import { grouped } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { sentence, t } from "../../i18n/words";
 import type { Problem } from "../../model/types";
 import { isHeldByRobots, runOf } from "../../session/confirming-run";
 import { applyFix, canFix } from "../../session/fixes";
-import { closeDock } from "../../session/dock";
 import { goTo, standAt, useProblems, useProblemWalk } from "../../session/problem-walk";
 import { useRun } from "../../session/run";
 import { Icon } from "../../theme";
-import { Tool } from "../../ui/Tool";
 
 /** Mends the problem that F8 is at. */
 const FIX_KEY = "Ctrl+.";
@@ -105,10 +104,10 @@ export function ProblemList() {
   const left = problems.length - count;
   return (
     <>
-      <header className="dock-head row rigid">
-        <h2>{problems.length === 0 ? t("problems.title") : t("problems.count", { count: problems.length })}</h2>
-        <Tool small icon="x" label={t("problems.close")} titled={false} onClick={closeDock} />
-      </header>
+      <DockHead
+        title={problems.length === 0 ? t("problems.title") : t("problems.count", { count: problems.length })}
+        close={t("problems.close")}
+      />
       {problems.length === 0 ? (
         <p className="dock-none muted">{t("problems.none")}</p>
       ) : (

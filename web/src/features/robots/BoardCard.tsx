@@ -284,7 +284,9 @@ export function BoardCard({ place }: { place: Place }) {
     <li className="robot" data-testid="robot" data-address={address} aria-labelledby={title}>
       <div className="robot-head row">
         <StateShape state={board?.phase === "lost" ? "stalled" : state} size={10} />
-        <h3 id={title}>{name}</h3>
+        <h3 id={title} className="panel-title ellipsis">
+          {name}
+        </h3>
         {atPage ? (
           <span className="robots-note muted" data-testid="robot-at-page">
             {t("boards.at-page")}

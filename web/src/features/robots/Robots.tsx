@@ -170,7 +170,7 @@ export function Robots() {
   return (
     <section className="robots" data-testid="robots" aria-label={t("boards.title")}>
       <header className="robots-head row rigid">
-        <h2>{t("boards.title")}</h2>
+        <h2 className="panel-title">{t("boards.title")}</h2>
         <span className="robots-space" />
         <Together />
         <Tool small icon="x" label={t("boards.close")} testId="robots-close" onClick={() => showRobots(false)} />

@@ -73,6 +73,7 @@ function Member({ name, disabled }: { name: string; disabled: boolean }) {
           {name}
         </span>
         <select
+          className="field"
           aria-label={t("crew.body", { name })}
           data-testid="crew-body"
           disabled={disabled}
@@ -162,14 +163,16 @@ export function TeamPart() {
   const boards = agents.filter(({ name }) => bodyOf(state, path, name) !== "").length;
   return (
     <section className="crew" data-testid="crew" aria-labelledby={title}>
-      <h3 id={title}>{t("crew.title")}</h3>
+      <h3 id={title} className="panel-title">
+        {t("crew.title")}
+      </h3>
       <p className="robots-note muted">
         {tooMany ? t("crew.too-many", { most: MOST_AGENTS, count: agents.length }) : t("crew.about")}
       </p>
       <Status team={team} other={other} />
       <Acts team={team} boards={boards} ready={you !== "" && !tooMany} />
       {tooMany ? null : (
-        <ul className="crew-list">
+        <ul className="crew-list plain-list">
           {agents.map(({ name }) => (
             <Member key={name} name={name} disabled={isBusy(team)} />
           ))}

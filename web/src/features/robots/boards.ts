@@ -10,6 +10,7 @@ import { create } from "zustand";
 import { plainDigits, readWhole } from "../../i18n/numbers";
 import type { Mission, Problem } from "../../model/types";
 import type { Board, BoardsMessage, Port, Steps, Team } from "./wire";
+import { parseStored, readStored, writeStored } from "../../ui/stored";
 
 /** What this page sent or greeted a robot with: later edits do not reach it. */
 export interface SentProgram {
@@ -78,19 +79,9 @@ function texts(found: unknown): Record<string, string> {
 /** What was remembered, as far as it makes sense. */
 export function readKept(text: string | null): Kept {
   const kept: Kept = { chosen: {}, kits: {}, typed: [], bodies: {} };
-  let found: unknown;
-  try {
-    found = JSON.parse(text ?? "null");
-  } catch {
-    return kept;
-  }
+  const found = parseStored(text);
   if (typeof found !== "object" || found === null) return kept;
-  const { chosen, kits, typed, bodies } = found as {
-    chosen?: unknown;
-    kits?: unknown;
-    typed?: unknown;
-    bodies?: unknown;
-  };
+  const { chosen, kits, typed, bodies } = found as Partial<Record<keyof Kept, unknown>>;
   kept.chosen = texts(chosen);
   kept.kits = texts(kits);
   kept.bodies = texts(bodies);
@@ -100,14 +91,6 @@ export function readKept(text: string | null): Kept {
       .slice(-MOST_KEPT);
   }
   return kept;
-}
-
-function stored(): string | null {
-  try {
-    return localStorage.getItem(KEY);
-  } catch {
-    return null;
-  }
 }
 
 export const NOBODY: Pick<BoardsState, "you" | "key" | "ports" | "boards" | "team"> = {
@@ -124,19 +107,14 @@ export const useBoards = create<BoardsState>(() => ({
   steps: {},
   refused: {},
   given: {},
-  ...readKept(stored()),
+  ...readKept(readStored(KEY)),
 }));
 
 useBoards.subscribe(({ chosen, kits, typed, bodies }, before) => {
   if (chosen === before.chosen && kits === before.kits && typed === before.typed && bodies === before.bodies) return;
-  try {
-    localStorage.setItem(KEY, JSON.stringify({ chosen, kits, typed, bodies }));
-  } catch {
-    // It then holds until the page is closed.
-  }
+  writeStored(KEY, JSON.stringify({ chosen, kits, typed, bodies }));
 });
 
-/** The record without one entry; the same object where there is none. */
 /** Changes what is known of robots. */
 const set = useBoards.setState;
 

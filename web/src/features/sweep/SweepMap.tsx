@@ -7,11 +7,12 @@ import { Said } from "../../i18n/Said";
 import { handKey } from "../../i18n/touch";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
+import { isHeldByRobotsOrFleet } from "../../session/confirming-run";
 import { useRun } from "../../session/run";
 import { Button } from "../../ui/Button";
 import { cellName, useGridWalk } from "../../ui/use-grid-walk";
 import { countsOf, ENDINGS, rowsOf, SIGNS } from "./map";
-import { isHeldByRobots, play, type Swept, useSweep } from "./sweeping";
+import { play, type Swept, useSweep } from "./sweeping";
 
 /** Of so many columns one has its time above it. */
 const EACH = 4;
@@ -70,7 +71,7 @@ export function SweepMap({ swept }: { swept: Swept }) {
   const { at: cell, table } = useGridWalk(size, ({ row, column }) => play({ agent: row, moment: column }));
   const at = { agent: cell.row, moment: cell.column };
   const played = useSweep((sweep) => sweep.played);
-  const held = useRun(isHeldByRobots);
+  const held = useRun(isHeldByRobotsOrFleet);
   const changed = useStudio(({ mission }) => mission !== asked.mission);
   const field = rows[at.agent]?.[at.moment] ?? null;
 

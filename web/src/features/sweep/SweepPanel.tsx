@@ -1,15 +1,14 @@
 /** The panel of the sweep: what is asked, how far it is, and the map. */
 import { useState } from "react";
 
+import { DockPanel } from "../../components/DockPanel";
 import { Refused } from "../../components/Refused";
 import { grouped, readNumber, readWhole } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { closeDock } from "../../session/dock";
 import { Button } from "../../ui/Button";
 import { Row } from "../../ui/Row";
-import { Tool } from "../../ui/Tool";
 import { Select } from "../../ui/Select";
 import { SweepMap } from "./SweepMap";
 import { begin, breakOff, useSweep } from "./sweeping";
@@ -23,22 +22,13 @@ export function SweepPanel() {
   const swept = useSweep((sweep) => sweep.swept);
   const refused = useSweep((sweep) => sweep.refused);
   return (
-    <section
-      className="dock-panel sweep-panel column rigid"
-      id="sweep-panel"
-      data-testid="sweep"
-      aria-label={t("sweep.title")}
-    >
-      <header className="dock-head row rigid">
-        <h2>{t("sweep.title")}</h2>
-        <Tool small icon="x" label={t("sweep.close")} titled={false} onClick={closeDock} />
-      </header>
+    <DockPanel id="sweep-panel" testId="sweep" title={t("sweep.title")} close={t("sweep.close")}>
       <div className="sweep-body column">
         <Asking />
         <Refused refused={refused} />
         {swept === null ? null : <SweepMap swept={swept} />}
       </div>
-    </section>
+    </DockPanel>
   );
 }
 

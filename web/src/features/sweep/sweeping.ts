@@ -11,7 +11,8 @@ import { beginWork, type Work } from "../../api/work";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import type { Mission } from "../../model/types";
-import { isLive, useRun } from "../../session/run";
+import { isHeldByRobotsOrFleet } from "../../session/confirming-run";
+import { useRun } from "../../session/run";
 import type { Place } from "./map";
 
 type Message = SweepProgressMessage | SweepMapMessage | WorkRefusedMessage;
@@ -84,18 +85,12 @@ export function withFailure(mission: Mission, agent: string, at_s: number): Miss
   return { ...mission, failures: failures.sort((a, b) => a.at_s - b.at_s) };
 }
 
-/** Whether a field cannot be played now: real robots go on at their own pace, and are not left to themselves. */
-export function isHeldByRobots(): boolean {
-  const { real, isFleet, status } = useRun.getState();
-  return (real || isFleet) && isLive(status);
-}
-
 /** Plays a field: the run that it stands for, in the place of what was on. */
 export function play(place: Place): void {
   const { swept } = useSweep.getState();
   const agent = swept?.map.agents[place.agent];
   const at_s = swept?.map.moments[place.moment];
-  if (swept === null || agent === undefined || at_s === undefined || isHeldByRobots()) return;
+  if (swept === null || agent === undefined || at_s === undefined || isHeldByRobotsOrFleet()) return;
   const { mission, path, ...like } = swept.asked;
   useSweep.setState({ played: place });
   useRun.getState().start({ mission, path }, { ...like, mission: withFailure(mission, agent, at_s) });

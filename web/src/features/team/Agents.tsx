@@ -3,7 +3,6 @@ import { type KeyboardEvent, useRef } from "react";
 
 import { NameCell } from "../../components/NameCell";
 import { t } from "../../i18n/words";
-import type { Command } from "../../model/command";
 import {
   addAgent,
   copyAgent,
@@ -16,7 +15,7 @@ import {
 import { startOf } from "../../model/starts";
 import { giveKind } from "../../model/commands/castAgents";
 import { placeAgents } from "../../model/commands/placeAgents";
-import { useStudio } from "../../model/studio";
+import { execute, useStudio } from "../../model/studio";
 import { TEAM_ROBOT } from "../../model/team-robot";
 import { text } from "../../model/texts";
 import type { Agent } from "../../model/types";
@@ -26,12 +25,6 @@ import { Button } from "../../ui/Button";
 import { Select } from "../../ui/Select";
 import { Tool } from "../../ui/Tool";
 import { nameLike, withoutStart } from "./starts";
-
-function execute(command: Command | null): boolean {
-  if (command === null) return false;
-  useStudio.getState().execute(command);
-  return true;
-}
 
 /** Why a robot cannot have that name, or "". */
 function wrongName(name: string): string {

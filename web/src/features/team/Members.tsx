@@ -4,15 +4,14 @@
  */
 import { useMemo } from "react";
 
+import { DockPanel } from "../../components/DockPanel";
 import { StateShape } from "../../components/StateShape";
 import { clock } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
-import { closeDock } from "../../session/dock";
 import { changesOf, MEMBERS } from "../../session/members";
 import { meetingSaid } from "../../session/meetings";
 import { can, useRun } from "../../session/run";
-import { Tool } from "../../ui/Tool";
 import "./members.css";
 
 const SHOWN = 100;
@@ -24,7 +23,7 @@ function Moment({ tick }: { tick: number }) {
   return (
     <button
       type="button"
-      className="members-moment"
+      className="members-moment finger"
       disabled={!goes}
       title={t("members.go", { time })}
       onClick={() => useRun.getState().seek(tick)}
@@ -43,16 +42,7 @@ export function Members() {
   if (team === null) return null;
   const waits = team.meetings.filter((one) => one.missing.length > 0);
   return (
-    <section
-      className="dock-panel members-panel column rigid"
-      id={MEMBERS}
-      data-testid="members"
-      aria-label={t("members.title")}
-    >
-      <header className="dock-head row rigid">
-        <h2>{t("members.title")}</h2>
-        <Tool small icon="x" label={t("members.close")} titled={false} onClick={closeDock} />
-      </header>
+    <DockPanel id={MEMBERS} testId="members" title={t("members.title")} close={t("members.close")}>
       <div className="members-columns wrap">
         <table className="members-table" data-testid="members-table">
           <thead>
@@ -118,6 +108,6 @@ export function Members() {
           )}
         </div>
       </div>
-    </section>
+    </DockPanel>
   );
 }

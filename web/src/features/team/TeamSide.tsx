@@ -29,6 +29,7 @@ export function TeamSide({ children }: { children: ReactNode }) {
         show={showSide}
         controls="side-panel"
         className="team-side"
+        tabClass="finger"
       >
         {(one) => (
           <>

@@ -224,7 +224,7 @@ export function TutorialPanel() {
     >
       <header className="tutorial-head row wrap">
         <Icon name={tutorial.icon} size={18} />
-        <h2>{text(tutorial.label)}</h2>
+        <h2 className="panel-title">{text(tutorial.label)}</h2>
         <Steps tutorial={tutorial} done={done} page={page} />
         <span className="muted small-text" data-testid="tutorial-count">
           {t("tutorial.done-of", { done: count, total: done.length })}

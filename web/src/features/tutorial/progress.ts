@@ -5,6 +5,7 @@
  * step whose event came while the program was right stays done, as does one that was only to be read.
  */
 import type { Tutorial } from "../../api/generated";
+import { parseStored, readStored, writeStored } from "../../ui/stored";
 
 export interface Progress {
   /** The step that is shown; the number of steps when all of it was gone through. */
@@ -39,17 +40,9 @@ export function nextStep(done: readonly boolean[], skipped: readonly number[], a
   return open.find((step) => step > after) ?? open[0] ?? done.length;
 }
 
-function parsed(text: string | null): unknown {
-  try {
-    return JSON.parse(text ?? "null");
-  } catch {
-    return null;
-  }
-}
-
 /** What was remembered, as far as it makes sense for a tutorial of that many steps; null for nothing. */
 export function readProgress(text: string | null, steps: number): Progress | null {
-  const found = parsed(text);
+  const found = parseStored(text);
   if (typeof found !== "object" || found === null) return null;
   const { at, happened, skipped, path } = found as Record<string, unknown>;
   if (typeof at !== "number" || typeof path !== "string" || !Number.isInteger(at)) return null;
@@ -67,46 +60,29 @@ export function readProgress(text: string | null, steps: number): Progress | nul
   };
 }
 
-function stored(key: string): string | null {
-  try {
-    return localStorage.getItem(key);
-  } catch {
-    return null;
-  }
-}
-
-function store(key: string, value: string | null): void {
-  try {
-    if (value === null) localStorage.removeItem(key);
-    else localStorage.setItem(key, value);
-  } catch {
-    // Then a tutorial is remembered until the page is closed.
-  }
-}
-
 /** The progress in a tutorial; null where it was never begun. */
 export function rememberedProgress(tutorial: Tutorial): Progress | null {
-  return readProgress(stored(`${KEY}.${tutorial.name}`), tutorial.steps.length);
+  return readProgress(readStored(`${KEY}.${tutorial.name}`), tutorial.steps.length);
 }
 
 export function rememberProgress(name: string, progress: Progress): void {
-  store(`${KEY}.${name}`, JSON.stringify(progress));
+  writeStored(`${KEY}.${name}`, JSON.stringify(progress));
 }
 
 /** The tutorial that is open in this browser; "" for none. */
 export function openTutorial(): string {
-  return stored(KEY) ?? "";
+  return readStored(KEY) ?? "";
 }
 
 export function rememberOpen(name: string): void {
-  store(KEY, name === "" ? null : name);
+  writeStored(KEY, name === "" ? null : name);
 }
 
 /** Whether the welcome was shown already. */
 export function isWelcomed(): boolean {
-  return stored(`${KEY}.welcomed`) !== null;
+  return readStored(`${KEY}.welcomed`) !== null;
 }
 
 export function rememberWelcomed(): void {
-  store(`${KEY}.welcomed`, "yes");
+  writeStored(`${KEY}.welcomed`, "yes");
 }

@@ -1,10 +1,12 @@
 /** The fields of one thing of the world, kind by kind. */
+import type { ComponentType } from "react";
+
 import { type Key, t } from "../../i18n/words";
 import type { OwnWorld } from "../../model/types";
 import { lineOf, startPlace } from "../../model/world/drawn";
 import { nearestOn } from "../../model/world/line";
 import { withSections } from "../../model/world/roads";
-import { LARGEST_MM, type Part, partOf, type Thing, tidy } from "../../model/world/thing";
+import { type Kind, LARGEST_MM, type Part, partOf, type Thing, tidy } from "../../model/world/thing";
 import { withPart } from "../../model/world/things";
 import { Closed, Corners } from "./Corners";
 import { NumberField } from "./NumberField";
@@ -160,62 +162,33 @@ function HouseFields({ world, thing, part }: PartProps<Part<"storehouse">>) {
   );
 }
 
+const FIELDS: { readonly [K in Kind]: ComponentType<PartProps<Part<K>>> } = {
+  wall: (props) => <Numbers {...props} names={["x1", "y1", "x2", "y2"]} least={-LARGEST_MM} />,
+  floor: (props) => (
+    <>
+      <Colour {...props} />
+      <Corners {...props} />
+    </>
+  ),
+  line: (props) => (
+    <>
+      <Colour {...props} />
+      <Numbers {...props} names={["width_mm"]} least={0.1} />
+      <Closed {...props} />
+      <Corners {...props} />
+    </>
+  ),
+  road: RoadFields,
+  storehouse: HouseFields,
+  dock: DockFields,
+  start: StartFields,
+  box: ThingFields,
+  ball: ThingFields,
+  zone: ZoneFields,
+};
+
 export function PartFields({ world, thing }: { world: OwnWorld; thing: Thing }) {
-  const { kind, at } = thing;
-  switch (kind) {
-    case "wall": {
-      const part = partOf(world, { kind, at });
-      const names = ["x1", "y1", "x2", "y2"] as const;
-      return part && <Numbers world={world} thing={thing} part={part} names={names} least={-LARGEST_MM} />;
-    }
-    case "floor": {
-      const part = partOf(world, { kind, at });
-      return (
-        part && (
-          <>
-            <Colour world={world} thing={thing} part={part} />
-            <Corners world={world} thing={thing} part={part} />
-          </>
-        )
-      );
-    }
-    case "line": {
-      const part = partOf(world, { kind, at });
-      return (
-        part && (
-          <>
-            <Colour world={world} thing={thing} part={part} />
-            <Numbers world={world} thing={thing} part={part} names={["width_mm"]} least={0.1} />
-            <Closed world={world} thing={thing} part={part} />
-            <Corners world={world} thing={thing} part={part} />
-          </>
-        )
-      );
-    }
-    case "road": {
-      const part = partOf(world, { kind, at });
-      return part && <RoadFields world={world} thing={thing} part={part} />;
-    }
-    case "storehouse": {
-      const part = partOf(world, { kind, at });
-      return part && <HouseFields world={world} thing={thing} part={part} />;
-    }
-    case "dock": {
-      const part = partOf(world, { kind, at });
-      return part && <DockFields world={world} thing={thing} part={part} />;
-    }
-    case "start": {
-      const part = partOf(world, { kind, at });
-      return part && <StartFields world={world} thing={thing} part={part} />;
-    }
-    case "box":
-    case "ball": {
-      const part = partOf(world, { kind, at });
-      return part && <ThingFields world={world} thing={thing} part={part} />;
-    }
-    case "zone": {
-      const part = partOf(world, { kind, at });
-      return part && <ZoneFields world={world} thing={thing} part={part} />;
-    }
-  }
+  const part = partOf(world, thing);
+  const Fields = FIELDS[thing.kind] as ComponentType<PartProps<Part<Kind>>>;
+  return part === undefined ? null : <Fields world={world} thing={thing} part={part} />;
 }

@@ -54,7 +54,14 @@ export function Things({ world }: { world: OwnWorld }) {
   return (
     <section className="world-things" aria-labelledby="world-things">
       <h2 id="world-things">{t("world.things-title")}</h2>
-      <ul role="tree" aria-labelledby="world-things" aria-multiselectable="true" ref={tree} onKeyDown={onKeyDown}>
+      <ul
+        className="plain-list"
+        role="tree"
+        aria-labelledby="world-things"
+        aria-multiselectable="true"
+        ref={tree}
+        onKeyDown={onKeyDown}
+      >
         {groups.map(({ kind, count }) => (
           <li key={kind} role="none">
             <span className="world-kind row muted" aria-hidden="true">
@@ -72,7 +79,7 @@ export function Things({ world }: { world: OwnWorld }) {
                   <li
                     key={at}
                     role="treeitem"
-                    className="world-row row"
+                    className="world-row finger row"
                     data-thing={`${kind}:${String(at)}`}
                     data-testid={`thing-${kind}-${String(at)}`}
                     aria-selected={chosen.some((one) => sameThing(one, thing))}

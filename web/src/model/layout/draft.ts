@@ -1,6 +1,7 @@
 /** A layout while it is being made: what has been placed so far, and how each thing is written down. */
 import type { Colour, Vertex } from "../types";
 import { Leaps } from "./break-edges";
+import { boundsOf } from "./path";
 import { HALF_ROW, type Measured } from "./sizes";
 import type {
   ArcColour,
@@ -13,6 +14,8 @@ import type {
   NodeKind,
   Point,
 } from "./types";
+
+const ORIGIN = { x: 0, y: 0, w: 0, h: 0 };
 
 /** An arc that is not at its end yet. */
 export interface Piece {
@@ -44,7 +47,7 @@ export class Draft {
 
   finished(): Layout {
     const { nodes, frames, lanes, arcs } = this;
-    return { nodes, frames, lanes, arcs, leaps: this.leaps.done, bounds: this.bounds() };
+    return { nodes, frames, lanes, arcs, leaps: this.leaps.done, bounds: boundsOf([ORIGIN, ...nodes, ...frames]) };
   }
 
   /** Writes arcs that follow each other; the last of them may end in a head. */
@@ -138,17 +141,6 @@ export class Draft {
   /** The right edge of all that is there. */
   right(): number {
     return [...this.nodes, ...this.frames].reduce((most, { x, w }) => Math.max(most, x + w), 0);
-  }
-
-  private bounds(): Layout["bounds"] {
-    const boxes = [...this.nodes, ...this.frames];
-    const fold = (start: number, pick: (most: number, box: LayoutNode | LayoutFrame) => number) =>
-      boxes.reduce(pick, start);
-    const x = fold(0, (least, box) => Math.min(least, box.x));
-    const y = fold(0, (least, box) => Math.min(least, box.y));
-    const right = fold(0, (most, box) => Math.max(most, box.x + box.w));
-    const bottom = fold(0, (most, box) => Math.max(most, box.y + box.h));
-    return { x, y, w: right - x, h: bottom - y };
   }
 }
 

@@ -4,10 +4,11 @@ import { type Acting, Placer } from "./place";
 import type { Layout } from "./types";
 
 export { LANE, NOTE } from "./sizes";
-export { distance, distanceToLine, headPath, hexagonPoints, roundedPath } from "./path";
+export { boundsOf, distance, distanceToLine, headPath, hexagonPoints, roundedPath } from "./path";
 export type {
   ArcColour,
   ArcLabel,
+  Box,
   Inside,
   Layout,
   LayoutArc,

@@ -1,5 +1,5 @@
 /** Lines as SVG: polylines with rounded corners, arrowheads. */
-import type { LayoutNode, Point } from "./types";
+import type { Box, LayoutNode, Point } from "./types";
 
 const RADIUS = 8;
 export const HEAD = { w: 8, h: 9 };
@@ -66,6 +66,17 @@ export function hexagonPoints({ x, y, w, h }: Pick<LayoutNode, "x" | "y" | "w" |
   ]
     .map((corner) => `${String(corner.x)},${String(corner.y)}`)
     .join(" ");
+}
+
+/** The box around boxes, of which there is one at least. */
+export function boundsOf(boxes: readonly Box[]): Box {
+  const fold = (pick: (one: number, other: number) => number, of: (box: Box) => number) =>
+    boxes.map(of).reduce((one, other) => pick(one, other));
+  const x = fold(Math.min, (box) => box.x);
+  const y = fold(Math.min, (box) => box.y);
+  const right = fold(Math.max, (box) => box.x + box.w);
+  const bottom = fold(Math.max, (box) => box.y + box.h);
+  return { x, y, w: right - x, h: bottom - y };
 }
 
 export function distance(a: Point, b: Point): number {

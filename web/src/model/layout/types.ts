@@ -8,6 +8,11 @@ export interface Point {
   y: number;
 }
 
+export interface Box extends Point {
+  w: number;
+  h: number;
+}
+
 /** What a folded constructor holds. */
 export interface Inside {
   /** How many parts stand in its bodies. */
@@ -106,5 +111,5 @@ export interface Layout {
   lanes: LayoutLane[];
   arcs: LayoutArc[];
   leaps: LayoutLeap[];
-  bounds: { x: number; y: number; w: number; h: number };
+  bounds: Box;
 }

@@ -55,7 +55,7 @@ export function Watched() {
     <section className="stage-watched rigid" aria-label={t("arena.watched")} data-testid="stage-watched">
       <Portrait actor={actor} />
       <div>
-        <h2>
+        <h2 className="panel-title">
           {actor.name} <small>{text(robot?.label ?? {}, robot?.name ?? "")}</small>
         </h2>
         <Readings robot={robot} agent={agent} />

@@ -3,6 +3,7 @@ import { create } from "zustand";
 
 import type { Key } from "../../../i18n/words";
 import { useStage } from "../../../session/stage";
+import { parseStored, readStored, writeStored } from "../../../ui/stored";
 
 export type Shows = "trails" | "rays" | "ahead" | "radio" | "names" | "tag" | "sound";
 
@@ -25,27 +26,15 @@ const LESSON: On = { trails: true, rays: true, ahead: true, radio: true, names: 
 
 /** What was remembered, as far as it makes sense. */
 export function readSwitches(text: string | null): On {
-  try {
-    const found: unknown = JSON.parse(text ?? "null");
-    if (typeof found !== "object" || found === null) return USUAL;
-    const kept = Object.entries(found).filter(([id, on]) => Object.hasOwn(USUAL, id) && typeof on === "boolean");
-    return { ...USUAL, ...(Object.fromEntries(kept) as Partial<On>) };
-  } catch {
-    return USUAL;
-  }
-}
-
-function stored(): string | null {
-  try {
-    return localStorage.getItem(KEY);
-  } catch {
-    return null;
-  }
+  const found = parseStored(text);
+  if (typeof found !== "object" || found === null) return USUAL;
+  const kept = Object.entries(found).filter(([id, on]) => Object.hasOwn(USUAL, id) && typeof on === "boolean");
+  return { ...USUAL, ...(Object.fromEntries(kept) as Partial<On>) };
 }
 
 /** `lesson`: what is switched while a tutorial is on; that is not remembered, but for the sound. */
 export const useSwitches = create<{ own: On; lesson: On }>(() => {
-  const own = readSwitches(stored());
+  const own = readSwitches(readStored(KEY));
   return { own, lesson: { ...LESSON, sound: own.sound } };
 });
 
@@ -67,10 +56,5 @@ export function flip(id: Shows): void {
 }
 
 useSwitches.subscribe(({ own }, before) => {
-  if (own === before.own) return;
-  try {
-    localStorage.setItem(KEY, JSON.stringify(own));
-  } catch {
-    // They then hold until the page is closed.
-  }
+  if (own !== before.own) writeStored(KEY, JSON.stringify(own));
 });

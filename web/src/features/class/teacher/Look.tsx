@@ -207,7 +207,9 @@ export function Look({ now }: { now: number }) {
   return (
     <aside className="class-look column rigid" aria-label={name} data-testid="look">
       <header className="class-look-head row rigid">
-        <h2 dir="auto">{name}</h2>
+        <h2 className="heading ellipsis" dir="auto">
+          {name}
+        </h2>
         <span className="class-muted muted small-text" dir="auto">
           {file}
         </span>

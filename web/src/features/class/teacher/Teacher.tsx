@@ -46,7 +46,7 @@ function Bars({ change }: { change: () => void }) {
     <section className="class-exercise surface" data-testid="class-exercise">
       <header>
         <Icon name="graduation-cap" size={18} />
-        <h2>{news.exercise === "" ? t("teacher.no-exercise") : text(news.exercise_label)}</h2>
+        <h2 className="heading">{news.exercise === "" ? t("teacher.no-exercise") : text(news.exercise_label)}</h2>
         <span className="class-muted muted small-text">
           {news.exercise === "" ? t("teacher.no-exercise-help") : t("teacher.all-met", { done: whole, count })}
         </span>

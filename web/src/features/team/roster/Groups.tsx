@@ -2,11 +2,11 @@
 import { t } from "../../../i18n/words";
 import { playing } from "../../../model/commands/castAgents";
 import { addGroup, giveFailure, groupsOf, rolesOf } from "../../../model/commands/changeDeclared";
-import { useStudio } from "../../../model/studio";
+import { execute, useStudio } from "../../../model/studio";
 import type { TeamGroup } from "../../../model/types";
 import { Checkbox } from "../../../ui/Checkbox";
 import { Chip } from "./Chip";
-import { Card, execute, freeDeclared } from "./parts";
+import { Card, freeDeclared } from "./parts";
 import { placesSaid } from "./Roles";
 
 const POLICIES = ["drop", "substitute", "abort"] as const;
@@ -34,13 +34,14 @@ function GroupCard({ group, at }: { group: TeamGroup; at: number }) {
             places={placesSaid(mission, member, cast.get(member))}
           />
         ))}
-        <span className="chip-place row small-text muted">{t("roster.drop")}</span>
+        <span className="chip-place finger row small-text muted">{t("roster.drop")}</span>
       </div>
       <fieldset className="card-policy column small-text">
         <legend>{t("roster.failure")}</legend>
         {POLICIES.map((policy) => (
           <Checkbox
             key={policy}
+            className="finger"
             type="radio"
             name={`failure-${name}`}
             testId={`failure-${name}-${policy}`}

@@ -2,13 +2,13 @@
 import { t } from "../../../i18n/words";
 import { isOfTeam, playing } from "../../../model/commands/castAgents";
 import { addRole, changeRole, groupsOf, rolesOf } from "../../../model/commands/changeDeclared";
-import { useStudio } from "../../../model/studio";
+import { execute, useStudio } from "../../../model/studio";
 import { TEAM_ROBOT } from "../../../model/team-robot";
 import { text } from "../../../model/texts";
 import type { Mission, Role } from "../../../model/types";
 import { Select } from "../../../ui/Select";
 import { Chip, useOver } from "./Chip";
-import { Card, Count, execute, freeDeclared, MOST } from "./parts";
+import { Card, Count, freeDeclared, MOST } from "./parts";
 
 export function wantedOf({ least, most }: Pick<Role, "least" | "most">): string {
   return least === most ? String(most) : t("roster.or-more", { least: String(least), most: String(most) });
@@ -74,7 +74,7 @@ function RoleCard({ role, at, players }: { role: Role; at: number; players: read
           <Chip key={agent} thing={{ name: agent, isAgent: true }} places={placesSaid(mission, agent, name)} />
         ))}
         {players.length < role.most ? (
-          <span className="chip-place row small-text muted">{t("roster.drop")}</span>
+          <span className="chip-place finger row small-text muted">{t("roster.drop")}</span>
         ) : null}
       </div>
     </Card>
@@ -122,7 +122,9 @@ export function Spare() {
         {agents.map(({ name }) => (
           <Chip key={name} thing={{ name, isAgent: true }} places={placesSaid(mission, name, undefined)} />
         ))}
-        {agents.length === 0 ? <span className="chip-place row small-text muted">{t("roster.drop")}</span> : null}
+        {agents.length === 0 ? (
+          <span className="chip-place finger row small-text muted">{t("roster.drop")}</span>
+        ) : null}
       </div>
     </>
   );

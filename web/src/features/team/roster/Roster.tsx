@@ -59,7 +59,9 @@ function Section({ what, title, none, empty, add, can, children }: SectionProps)
         />
       </header>
       {empty ? <p className="roster-none muted small-text">{none}</p> : null}
-      <ul ref={list}>{children}</ul>
+      <ul className="plain-list column" ref={list}>
+        {children}
+      </ul>
     </section>
   );
 }

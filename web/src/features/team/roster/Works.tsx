@@ -1,9 +1,9 @@
 /** The work of the team: units that its robots share out among themselves. */
 import { t } from "../../../i18n/words";
 import { addWork, changeWork, worksOf } from "../../../model/commands/changeDeclared";
-import { useStudio } from "../../../model/studio";
+import { execute, useStudio } from "../../../model/studio";
 import type { Work } from "../../../model/types";
-import { Card, Count, execute, freeDeclared, MOST } from "./parts";
+import { Card, Count, freeDeclared, MOST } from "./parts";
 
 /** More units than this are said in words only. */
 const DRAWN = 24;

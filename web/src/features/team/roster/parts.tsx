@@ -5,20 +5,13 @@ import { NumberInput } from "../../../components/fields/NumberInput";
 import { NameCell } from "../../../components/NameCell";
 import { Said } from "../../../i18n/Said";
 import { sentence, t } from "../../../i18n/words";
-import type { Command } from "../../../model/command";
 import { declaredNames, removeDeclared, renameDeclared } from "../../../model/commands/changeDeclared";
-import { useStudio } from "../../../model/studio";
+import { execute, useStudio } from "../../../model/studio";
 import type { Problem } from "../../../model/types";
 import { Icon } from "../../../theme";
 import { Tool } from "../../../ui/Tool";
 import { useOver } from "./Chip";
 import type { Goal } from "./moving";
-
-export function execute(command: Command | null): boolean {
-  if (command === null) return false;
-  useStudio.getState().execute(command);
-  return true;
-}
 
 /** Why nothing declared can have that name, or "". */
 export function wrongName(name: string, work = false): string {

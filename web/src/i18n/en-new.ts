@@ -1,4 +1,4 @@
-/** English for the page of a new mission, which is fetched later. */
+/** English for the page of a new mission and for a few examples: what begins without a mission shows them at once. */
 export const NEW_EN = {
   "new.title": "New mission",
   "new.help": "Choose a robot, a place and a first program. All three can be changed later.",
@@ -19,4 +19,9 @@ export const NEW_EN = {
   "new.name": "Name",
   "new.name-first": "my-first-mission",
   "new.begin": "Begin",
+  "examples.all": "all examples",
+  "examples.or": "Or open an example",
+  "examples.parts": { one: "{count} part", other: "{count} parts" },
+  "examples.robots": { one: "{count} robot", other: "a team of {count} robots" },
+  "open.examples": "Examples",
 } as const;
