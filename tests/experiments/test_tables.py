@@ -89,7 +89,9 @@ def test_a_comparison_says_how_much_more_the_other_value_gives():
     opened = short_mission()
     address = speed_address(opened)
     study = kitrobot.sweep(opened, vary={address: [30, 60]}, seeds=range(1, 4), measures=["distance"])
-    slow, fast = ([row.measures["distance"] for row in study.rows if row.point[address] == speed] for speed in (30, 60))
+    slow, fast = (
+        [row.measures["distance"] or 0 for row in study.rows if row.point[address] == speed] for speed in (30, 60)
+    )
     (found,) = study.compare(address)
     assert found.interval.low > 0
     assert found.interval.estimate == pytest.approx((sum(fast) - sum(slow)) / 3)
