@@ -1,5 +1,6 @@
 /**
- * Keys that are pressed while a field is still being fetched: kept in their order, then pressed in the field.
+ * Keys that are pressed while a field is still being fetched, and text that is pasted: kept in their order, then done in the
+ * field.
  *
  * The listener stands on the window before any other, so that a key that is kept does nothing else until then.
  */
@@ -7,22 +8,26 @@
 /** Characters, and what is done with them; other keys (Tab, F5) go on meaning what they do. */
 const KEPT = /^(.|Backspace|Enter|Escape|Arrow[A-Z][a-z]+)$/u;
 
+/** A key, or text that was pasted. */
+type Held = KeyboardEvent | string;
+
 /** Nothing is kept while there is no holder; the last one gets the keys. */
-const holders: KeyboardEvent[][] = [];
+const holders: Held[][] = [];
 
 function isEditable(element: Element | null): element is HTMLElement {
   return element instanceof HTMLElement && element.closest("input, textarea, [contenteditable=true]") !== null;
 }
 
 /** Text goes into a field as if it were typed; any other key, or a key for something else, is an event of its own. */
-function press(event: KeyboardEvent): void {
+function press(event: Held): void {
   const { activeElement } = document;
-  if (isEditable(activeElement) && event.key.length === 1) document.execCommand("insertText", false, event.key);
+  if (typeof event === "string") document.execCommand("insertText", false, event);
+  else if (isEditable(activeElement) && event.key.length === 1) document.execCommand("insertText", false, event.key);
   else if (isEditable(activeElement) && event.key === "Backspace") document.execCommand("delete");
   else (activeElement ?? document.body).dispatchEvent(new KeyboardEvent(event.type, event));
 }
 
-if (typeof window !== "undefined")
+if (typeof window !== "undefined") {
   window.addEventListener(
     "keydown",
     (event) => {
@@ -36,10 +41,23 @@ if (typeof window !== "undefined")
     },
     true,
   );
+  window.addEventListener(
+    "paste",
+    (event) => {
+      const text = event.clipboardData?.getData("text/plain") ?? "";
+      const keys = holders.at(-1);
+      if (keys === undefined || text === "") return;
+      keys.push(text);
+      event.preventDefault();
+      event.stopImmediatePropagation();
+    },
+    true,
+  );
+}
 
 /** Keeps keys from now on; the returned function presses them where the focus is then, or forgets them. */
 export function holdKeys(): (give: boolean) => void {
-  const keys: KeyboardEvent[] = [];
+  const keys: Held[] = [];
   let isGiven = false;
   holders.push(keys);
   const end = () => {
