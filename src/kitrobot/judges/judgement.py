@@ -1,6 +1,6 @@
 """What a judge says of a property: kept, broken or not decided, with the ground for it.
 
-Left to others: how a judge comes to it (mission_judges, recording_judge, run_watch).
+Left to others: how a judge comes to it (mission_judges, record_monitor, recording_judge, run_watch).
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ class Judge(StrEnum):
     RUNS = "runs"
     FAILURES = "failures"
     RECORDING = "recording"
+    TEAM = "team"
 
 
 class JudgeAnswer(StrEnum):
