@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from kitrobot.experiments.run_question import RunProperty, find_run_property
-from kitrobot.judges.judgement import Judge, JudgeAnswer, Judgement
+from kitrobot.judges.judgement import Judge, JudgeAnswer, Judgement, break_text
 from kitrobot.mission.property_text import read_property
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.simulation import Simulation
-from kitrobot.text.sentences import Recorded, Sentence
+from kitrobot.text.sentences import Sentence
 from kitrobot.verifier.report.replay import RunObserver
 
 
@@ -71,8 +71,7 @@ class RunWatch:
         return [self._event(one)]
 
     def _event(self, one: _WatchedProperty) -> Event:
-        text = Recorded("the property {name} is broken", one.question)
-        return Event(self._run.tick, "message", "", text, -1, "program")
+        return Event(self._run.tick, "message", "", break_text(one.question), -1, "program")
 
     def judgements(self, subject: str) -> list[Judgement]:
         """What is known of each property; `subject` is the name of what runs."""
