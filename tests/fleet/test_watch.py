@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 from kitrobot.cli.agent import prepare_team_run
 from kitrobot.fleet.envelopes import TEAM_PROCESS
 from kitrobot.fleet.processes import Agents
+from kitrobot.fleet.run_source import FleetSource
 from kitrobot.fleet.team_process import FleetCallbacks, FleetRun, TeamProcess
 from kitrobot.judges.fleet_watch import FleetWatch
 from kitrobot.judges.judgement import Judge, JudgeAnswer, Judgement
@@ -107,6 +108,23 @@ def test_what_a_fleet_does_not_record_is_not_decided() -> None:
     assert said.reason == "what ada read and stored was not recorded, or its robot has changed"
 
 
+def test_the_run_that_a_page_sees_has_what_breaks_among_its_events(tmp_path: Path) -> None:
+    opened = opened_mission({"ada": "WAIT(9);", "bob": "WAIT(9);"})
+    run = opened.prepare(RunOptions(1, 12.0)).simulation
+    source = FleetSource(run, tmp_path / "run.krtrace", (), lambda: None)
+    said: list[str] = []
+    source.on_record = FleetWatch(source.header, opened, ("done within 0.1",), said.append).after_step
+    for _ in range(7):
+        source.step()
+        run.step()
+    assert said == ["the property `done within 0.1` is broken at 0.10 s"]
+    assert [(one.tick, one.text) for one in source.new_events(99).events if one.kind == "message"] == [
+        (6, "the property done within 0.1 is broken")
+    ]
+    source.finish("stopped", "")
+    source.close()
+
+
 @pytest.fixture
 def convoy(tmp_path: Path, bus: Bus, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The example without its scheduled failure, and a bus on which its fleet runs."""
@@ -122,7 +140,9 @@ def convoy(tmp_path: Path, bus: Bus, monkeypatch: pytest.MonkeyPatch) -> Path:
     for beside in CONVOY.parent.iterdir():
         shutil.copy(beside, tmp_path)
     text = re.sub(r"<failure [^>]*/>", "", CONVOY.read_text(encoding="utf-8"))
-    text = text.replace("</kitrobot>", '<property name="one" never="any robot-1 (Captor.LessThan(0))"/></kitrobot>')
+    text = text.replace(
+        "</kitrobot>", '<property name="never at once" never="any robot-1 (Captor.LessThan(0))"/></kitrobot>'
+    )
     file = tmp_path / "convoy.krt"
     file.write_text(text, encoding="utf-8")
     bus.anew = lambda: prepare_team_run(file, RunOptions()).simulation
@@ -153,4 +173,4 @@ def test_a_property_that_breaks_and_does_not_stop_the_team_is_in_its_status(conv
     assert found.status == 1
     assert "  outcome     time" in found.out
     assert "team  broken" in found.out
-    assert "one: never `any robot-1 (Captor.LessThan(0))`" in found.out
+    assert "never at once: never `any robot-1 (Captor.LessThan(0))`" in found.out

@@ -22,7 +22,7 @@ from kitrobot.judges.record_cases import (
     RecordedSpan,
     UndecidedCase,
 )
-from kitrobot.mission.property_text import PropertyText, read_property
+from kitrobot.mission.property_text import PropertyText, read_question
 from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import Sentence
 from kitrobot.trace.model import TEAM, TickRecord, TraceEvent, TraceHeader
@@ -163,7 +163,8 @@ class RecordMonitor:
 
     def _cases_of(self, questions: Sequence[str], ready: bool) -> list[RecordCase]:
         """One for each question; without questions those of the mission, and the `ready` ones."""
-        cases = [self._case(read_property(question)) for question in questions]
+        own = [one.name for one in self._mission.mission.properties]
+        cases = [self._case(read_question(question, own)) for question in questions]
         if questions:
             return cases
         for one in self._mission.mission.properties:

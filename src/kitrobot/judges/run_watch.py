@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from kitrobot.experiments.run_question import RunProperty, find_run_property
 from kitrobot.judges.judgement import Judge, JudgeAnswer, Judgement, break_text
-from kitrobot.mission.property_text import read_property
+from kitrobot.mission.property_text import read_question
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import Sentence
@@ -39,8 +39,9 @@ class RunWatch:
     def __init__(self, run: Simulation, questions: Sequence[str]) -> None:
         self._run = run
         self._watched: list[_WatchedProperty] = []
+        own = [one.name for one in run.mission.properties]
         for text in questions:
-            question = read_property(text)
+            question = read_question(text, own)
             found = find_run_property(question, run)
             self._watched.append(
                 _WatchedProperty(question.text, found, RunObserver(found.property, run), question.within_s)
