@@ -9,7 +9,7 @@ import xml.etree.ElementTree as ElementTree
 
 import pytest
 
-from kitrobot.cli.sweep import with_moments
+from kitrobot.cli.sweep import with_values
 from kitrobot.sim.sweep import SweepStoppedError
 from kitrobot.workspace import sweep as sweeping
 from kitrobot.workspace.mission_loader import open_mission
@@ -118,12 +118,15 @@ def test_a_map_that_cannot_be_written_is_told(kitrobot, exchange):
     assert "error: " in said.err
 
 
-def test_a_number_behind_the_option_may_be_left_out():
-    assert with_moments(["run", "m.krt", "--fail-sweep"]) == ["run", "m.krt", "--fail-sweep", "0"]
-    assert with_moments(["run", "--fail-sweep", "m.krt"]) == ["run", "--fail-sweep", "0", "m.krt"]
-    assert with_moments(["--fail-sweep", "7", "x"]) == ["--fail-sweep", "7", "x"]
-    assert with_moments(["--fail-sweep", "--json"]) == ["--fail-sweep", "0", "--json"]
-    assert with_moments(["--", "--fail-sweep"]) == ["--", "--fail-sweep"]
+def test_what_is_behind_the_options_may_be_left_out():
+    assert with_values(["run", "m.krt", "--fail-sweep"]) == ["run", "m.krt", "--fail-sweep", "0"]
+    assert with_values(["run", "--fail-sweep", "m.krt"]) == ["run", "--fail-sweep", "0", "m.krt"]
+    assert with_values(["--fail-sweep", "7", "x"]) == ["--fail-sweep", "7", "x"]
+    assert with_values(["--fail-sweep", "--json"]) == ["--fail-sweep", "0", "--json"]
+    assert with_values(["--", "--fail-sweep"]) == ["--", "--fail-sweep"]
+    assert with_values(["run", "m.krt", "--watch"]) == ["run", "m.krt", "--watch", ""]
+    assert with_values(["team", "--watch", "m.krt", "--json"]) == ["team", "--watch", "", "m.krt", "--json"]
+    assert with_values(["--watch", "--json", "--watch", "done"]) == ["--watch", "", "--json", "--watch", "done"]
 
 
 def test_ctrl_c_ends_with_what_was_found_and_says_how_far_it_came(kitrobot, exchange, monkeypatch):

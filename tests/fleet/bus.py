@@ -17,6 +17,7 @@ from kitrobot.fleet.envelopes import TEAM_PROCESS
 from kitrobot.fleet.keys import key_of
 from kitrobot.fleet.team_process import FleetCallbacks, TeamProcess
 from kitrobot.fleet.transport import Channel, Network
+from kitrobot.sim.simulation import Simulation
 from tests.fleet.network import LEASE
 from tests.fleet.test_convoy import anew
 
@@ -69,6 +70,8 @@ class Bus:
     recorded: list[tuple[str, bytes]] = field(default_factory=list)
     said: list[str] = field(default_factory=list)
     stopping: bool = False
+    anew: Callable[[], Simulation] = anew
+    """Makes the run of each process before its first step."""
     turns: Iterator[None] | None = None
     """What happens meanwhile: gone on with once in each turn; at its end the emergency stop is pressed."""
 
@@ -86,7 +89,7 @@ class Bus:
     def agent(self, me: int, wait_s: float | None = None) -> Process:
         """Starts the process of an agent."""
         said: list[str] = []
-        agent = AgentProcess(anew(), me, self.channel(me), said.append, lambda: False, None, wait_s, said.append)
+        agent = AgentProcess(self.anew(), me, self.channel(me), said.append, lambda: False, None, wait_s, said.append)
         self.processes.append(Process(agent, said))
         return self.processes[-1]
 
@@ -99,7 +102,7 @@ class Bus:
         self.channels = [one for one in self.channels if one.me != TEAM_PROCESS]
         self.stopping = False
         told = FleetCallbacks(self._say, lambda: self.stopping, _nothing)
-        return TeamProcess(anew(), self.channel(TEAM_PROCESS), LEASE, 1.0, dict, told)
+        return TeamProcess(self.anew(), self.channel(TEAM_PROCESS), LEASE, 1.0, dict, told)
 
     def _say(self, name: str, text: str) -> None:
         self.said.append(f"{name}: {text}" if name else text)

@@ -137,6 +137,9 @@ def test_an_agent_elsewhere_needs_the_key_and_the_mission_of_the_team(tmp_path: 
         (("team", CONVOY, "--pace", "0.01"), "at a pace of 0.01 a step takes 2000 ms"),
         (("team", CONVOY, "--wait", "nan"), "seconds from 0"),
         (("agent", CONVOY, "--as", "robot-1", "--wait", "-1"), "seconds from 0"),
+        (("team", CONVOY, "--stop-on-broken"), "properties that are watched"),
+        (("team", CONVOY, "--watch"), "no properties of its own"),
+        (("team", CONVOY, "--watch", "never any robot-9 (Captor.LessThan(1))"), "robot-9"),
     ],
 )
 def test_what_cannot_be_is_told(words: tuple[str, ...], said: str, tmp_path: Path, kitrobot: Any) -> None:

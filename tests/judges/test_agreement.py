@@ -20,9 +20,12 @@ from kitrobot.experiments.run_question import RunJudge
 from kitrobot.judges.judgement import Judge, JudgeAnswer, Judgement
 from kitrobot.judges.many_runs import FailureOptions
 from kitrobot.judges.mission_judges import JudgeOptions, judge_mission
+from kitrobot.judges.record_monitor import RecordMonitor
 from kitrobot.judges.recording_judge import judge_recording
 from kitrobot.judges.run_watch import RunWatch
 from kitrobot.mission.property_text import read_property
+from kitrobot.sim.event_text import Event
+from kitrobot.sim.recorder import Recorder
 from kitrobot.workspace.mission_run import RunOptions
 from tests.effort import examples
 
@@ -85,8 +88,16 @@ def ask(opened: OpenMission, folder: Path) -> dict[Judge, list[Judgement]]:
     trace = folder / "run.krtrace"
     trace.unlink(missing_ok=True)
     recorded = opened.prepare(RunOptions(1, 30.0, 0.0, trace))
-    watch = RunWatch(recorded.simulation, QUESTIONS)
-    recorded.run(watch=watch.after_step)
+    run = recorded.simulation
+    watch, recorder = RunWatch(run, QUESTIONS), Recorder(run)
+    monitor = RecordMonitor(recorder.header, opened, QUESTIONS, Judge.TEAM, "")
+    broken = monitor.follow(recorder.record())
+
+    def after_step() -> list[Event]:
+        broken.extend(monitor.follow(recorder.record(), run.outcome))
+        return watch.after_step()
+
+    recorded.run(watch=after_step)
     prepared = opened.prepare(RunOptions(1, 30.0))
     options = JudgeOptions(runs=2, failures=FailureOptions(2, 1))
     said: dict[Judge, list[Judgement]] = {judge: [] for judge in Judge}
@@ -96,6 +107,11 @@ def ask(opened: OpenMission, folder: Path) -> dict[Judge, list[Judgement]]:
         (one.ruling, one.tick) for one in said[Judge.RUN]
     ]
     said[Judge.RECORDING] = judge_recording(trace, QUESTIONS)
+    said[Judge.TEAM] = monitor.judgements()
+    assert [replace(one, judge=Judge.TEAM, subject="") for one in said[Judge.RECORDING]] == said[Judge.TEAM]
+    # What breaks is said once, in its tick.
+    ends = [one for one in said[Judge.TEAM] if one.ruling is JudgeAnswer.BROKEN]
+    assert sorted(map(str, broken)) == sorted(map(str, ends))
     return said
 
 
@@ -120,7 +136,7 @@ def test_no_judge_breaks_what_is_right(tmp_path: Path) -> None:
     opened = opened_mission(SOURCES)
     said = ask(opened, tmp_path)
     check_agreement(opened, said)
-    for judge in (Judge.RUN, Judge.RUNS, Judge.RECORDING):
+    for judge in (Judge.RUN, Judge.RUNS, Judge.RECORDING, Judge.TEAM):
         assert {one.ruling for one in said[judge]} == {JudgeAnswer.KEPT}, [one.reason for one in said[judge]]
 
 
@@ -137,7 +153,9 @@ def test_what_a_judge_finds_in_a_mission_with_a_mistake_the_others_find_too(tmp_
         for judge, ones in said.items():
             found[judge] += any(one.ruling is JudgeAnswer.BROKEN for one in ones)
     assert min(found.values()) > 0, found
-    assert found[Judge.RUN] == found[Judge.RECORDING] == found[Judge.RUNS] <= found[Judge.FAILURES], found
+    assert (
+        found[Judge.RUN] == found[Judge.RECORDING] == found[Judge.TEAM] == found[Judge.RUNS] <= found[Judge.FAILURES]
+    ), found
 
 
 def test_a_recording_of_another_mission_is_refused(tmp_path: Path) -> None:

@@ -106,12 +106,19 @@ def test_it_is_a_run_like_any_other_and_goes_on_without_an_agent_that_is_killed(
     team = app.state.studio.boards.team
     # Only the killed agent is silent for so long, on a busy machine too.
     team.lease_ms = 4000
-    with visit() as page, visit() as other, visit("192.168.1.7") as away, page.fleet() as run:
+    with ExitStack() as stack:
+        page, other, away = (stack.enter_context(visit(*host)) for host in ((), (), ("192.168.1.7",)))
+        demand = {"name": "far", "form": "never", "first": "any robot-1 (Captor.GreaterThan(0))"}
+        page.mission["properties"] = [demand]
+        run = stack.enter_context(page.fleet())
         begun = run.until("started")
         assert [agent["name"] for agent in begun["agents"]] == NAMES
         assert all(agent["placed"] for agent in begun["agents"])
         assert (begun["fleet"], begun["recording"], begun["abilities"]) == (True, False, ["seek", "step"])
         page.team(lambda said: said["phase"] == "running" and {one["state"] for one in said["agents"]} == {"there"})
+        # A property that breaks is an event while the run goes on.
+        while not any("property far is broken" in event["text"] for event in run.until("tick")["events"]):
+            pass
         with other.fleet() as second:
             assert "runs a team already" in second.until("error", ended=True)["message"]
         other.ask("team-send", boards=[{"agent": "robot-1", "address": "socket://127.0.0.1:1"}])
@@ -120,7 +127,7 @@ def test_it_is_a_run_like_any_other_and_goes_on_without_an_agent_that_is_killed(
             assert "another machine" in refused.until("error", ended=True)["message"]
         with away.client.websocket_connect(f"{SOCKET}/api/run?token={TOKEN}") as line:
             watcher = RunPage(line)
-            watcher.send(type="watch", run=begun["run"], mission=away.mission)
+            watcher.send(type="watch", run=begun["run"], mission=page.mission)
             assert (shown := watcher.until("started"))["watching"]
             assert shown["fleet"]
             assert not shown["another"]
@@ -150,6 +157,7 @@ def test_it_is_a_run_like_any_other_and_goes_on_without_an_agent_that_is_killed(
             texts = [event.text for _, event in recorded.events]
             assert (recorded.outcome["outcome"], recorded.header.real, recorded.cut) == ("done", False, False)
         assert "takes over for robot-3" in texts
+        assert texts.count("the property far is broken") == 1
         assert "is missed by its team" in texts
         page.team(lambda said: said["phase"] == "idle")
         run.send(type="seek", tick=5)

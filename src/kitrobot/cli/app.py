@@ -59,7 +59,7 @@ from kitrobot.cli.run import run_mission
 from kitrobot.cli.site import FirstMissions, write_site
 from kitrobot.cli.start import start_boards, stop_boards
 from kitrobot.cli.studio import Studio, open_studio
-from kitrobot.cli.sweep import with_moments
+from kitrobot.cli.sweep import with_values
 from kitrobot.cli.team import run_team
 from kitrobot.cli.verify import verify_mission
 from kitrobot.cli.watch import watch_board
@@ -161,7 +161,7 @@ def main(
     """
     reset_output_state()
     given = [_normalise_argument(one) for one in (sys.argv[1:] if arguments is None else arguments)]
-    words = with_moments(_with_default_command(given))
+    words = with_values(_with_default_command(given))
     failed = FAILURE_STATUS.get(words[0], FAILED)
     with standard_streams(), _termination(), nullcontext() if words[0] in LONG_RUNNING else recording_reads():
         status = _exit_status(

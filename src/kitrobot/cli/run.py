@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -61,9 +61,9 @@ Watch = Annotated[
     list[str] | None,
     typer.Option(
         "--watch",
-        metavar="PROPERTY",
+        metavar="[PROPERTY]",
         help="Watch for a property that breaks, a name or text such as `never any carrier (Collision.IsPressed())`; "
-        "may be given again. A sweep then says in which runs it breaks.",
+        "may be given again. Without it: the mission's own. A sweep then says in which runs it breaks.",
         show_default=False,
     ),
 ]
@@ -157,10 +157,19 @@ def _sweep(
     sweep_mission(prepared, SweepOptions(moments, pairs, jobs), picture, as_json)
 
 
+def watched_properties(prepared: PreparedRun, watched: Sequence[str] | None) -> list[str]:
+    """The questions of `--watch`, with the mission's own properties in the place of one without a value."""
+    own = [one.name for one in prepared.opened.mission.properties]
+    if "" in (watched or ()) and not own:
+        words = "the mission has no properties of its own; name one"
+        raise typer.BadParameter(words, param_hint="'--watch'")
+    return [name for question in watched or () for name in ([question] if question else own)]
+
+
 def _watch_of(prepared: PreparedRun, questions: list[str]) -> RunWatch:
     from kitrobot.judges.run_watch import RunWatch
 
-    return RunWatch(prepared.simulation, questions)
+    return RunWatch(prepared.simulation, watched_properties(prepared, questions))
 
 
 def _judge_failures(prepared: PreparedRun, questions: list[str], moments: int, jobs: int | None, as_json: bool) -> None:
@@ -171,7 +180,7 @@ def _judge_failures(prepared: PreparedRun, questions: list[str], moments: int, j
     from kitrobot.judges.mission_judges import JudgeOptions, judge_mission
 
     chosen = JudgeOptions((Judge.FAILURES,), failures=FailureOptions(moments or USUAL_MOMENTS, jobs))
-    print_judgements(judge_mission(prepared, questions, chosen), as_json)
+    print_judgements(judge_mission(prepared, watched_properties(prepared, questions), chosen), as_json)
 
 
 def check_run_numbers(seed: int, seconds: float, fail_rate: float) -> None:

@@ -17,14 +17,19 @@ if TYPE_CHECKING:
     from kitrobot.workspace.mission_run import PreparedRun
     from kitrobot.workspace.sweep import Sweep, SweepOptions
 
+MISSION = ".krt"
 MOMENTS, MOMENTS_OF_PAIRS = 100, 20
 """At how many moments agents fail, when nothing is said: one at a time, and two."""
 MOST_REASONS = 10
 INTERRUPTED = 130
 
 
-def with_moments(arguments: Sequence[str]) -> list[str]:
-    """The arguments with a number behind `--fail-sweep`: where there is none, 0, which stands for the usual one."""
+def with_values(arguments: Sequence[str]) -> list[str]:
+    """The arguments with a value behind each `--fail-sweep` and `--watch`.
+
+    Where there is no number behind the first one it is 0, which stands for the usual one. Where nothing is behind the
+    second one, another option, or a mission, it is "", which stands for the properties of the mission.
+    """
     made: list[str] = []
     for at, word in enumerate(arguments):
         made.append(word)
@@ -33,6 +38,8 @@ def with_moments(arguments: Sequence[str]) -> list[str]:
         following = arguments[at + 1] if at + 1 < len(arguments) else ""
         if word == "--fail-sweep" and not following.lstrip("-").isdigit():
             made.append("0")
+        if word == "--watch" and (not following or following.startswith("-") or following.endswith(MISSION)):
+            made.append("")
     return made
 
 

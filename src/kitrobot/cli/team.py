@@ -26,12 +26,18 @@ from kitrobot.cli.agent import (
 )
 from kitrobot.cli.options import MissionFile, ResultAsJson, RunSeconds
 from kitrobot.cli.output import json_text, print_data, print_diagnostics
+from kitrobot.cli.run import watched_properties
 from kitrobot.diagnostics.read_files import note_read
 from kitrobot.text.sentences import Sentence
 
 if TYPE_CHECKING:
     from kitrobot.fleet.team_process import FleetRun
+    from kitrobot.judges.fleet_watch import FleetWatch
+    from kitrobot.judges.judgement import Judgement
+    from kitrobot.sim.recorder import Recorder
     from kitrobot.sim.simulation import Simulation
+    from kitrobot.trace.model import TickRecord, TraceHeader
+    from kitrobot.workspace.fleets import FleetPlan
     from kitrobot.workspace.mission_run import PreparedRun
 
 
@@ -49,6 +55,19 @@ Wait = Annotated[
     typer.Option(metavar="SECONDS", help="How long agents may take to come; without it, until you end it."),
 ]
 TraceFile = Annotated[Path | None, typer.Option(metavar="FILE.krtrace", help="Record the run.")]
+Watch = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--watch",
+        metavar="[PROPERTY]",
+        help="Watch for a property that breaks, a name or text such as `never any carrier (Collision.IsPressed())`; "
+        "may be given again. Without it: the mission's own.",
+        show_default=False,
+    ),
+]
+StopOnBroken = Annotated[
+    bool, typer.Option("--stop-on-broken", help="A watched property that breaks is the emergency stop.")
+]
 
 
 def run_team(
@@ -67,20 +86,22 @@ def run_team(
     wait: Wait = None,
     trace: TraceFile = None,
     as_json: ResultAsJson = False,
+    watched: Watch = None,
+    stop_on_broken: StopOnBroken = False,
 ) -> None:
     """Run a mission whose agents are processes of their own and meet over the network.
 
     Ctrl-C is the emergency stop: all robots stand still, then everything ends. The exit status is 0 when the mission
-    was done.
+    was done, and no watched property broke.
     """
     from kitrobot.fleet.identity import identity_of
-    from kitrobot.fleet.processes import Agents
-    from kitrobot.fleet.team_process import FleetCallbacks
     from kitrobot.fleet.transport import Network
-    from kitrobot.workspace.fleets import FleetPlan, free_endpoint, run_fleet
+    from kitrobot.workspace.fleets import FleetPlan, free_endpoint
     from kitrobot.workspace.mission_run import RunOptions
 
     _check_numbers(seed, seconds, pace, lease, wait)
+    if stop_on_broken and not watched:
+        raise typer.BadParameter("it is of properties that are watched: --watch", param_hint="'--stop-on-broken'")
     for secret in (key, *(tls.glob("*.pem") if tls is not None else ())):
         if secret is not None:
             note_read(secret)
@@ -99,12 +120,69 @@ def run_team(
     )
     here = [name for name in names if name not in (elsewhere or ())]
     plan = FleetPlan(file, here, network, key, boards, lease, pace, wait)
-    with Agents() as agents, emergency_stop() as pressed, recording(prepared) as on_step:
-        run = run_fleet(simulation, plan, agents, FleetCallbacks(log_event, pressed.is_set, on_step))
+    _run_to_end(prepared, plan, watched or [], stop_on_broken, as_json)
+
+
+def _run_to_end(prepared: PreparedRun, plan: FleetPlan, watched: list[str], stops: bool, as_json: bool) -> None:
+    """Runs a fleet, gives what came of it, and ends with its status; `stops`: a property that breaks stops it."""
+    from kitrobot.fleet.processes import Agents
+    from kitrobot.fleet.team_process import FleetCallbacks
+    from kitrobot.sim.recorder import Recorder
+    from kitrobot.workspace.fleets import run_fleet
+    from kitrobot.workspace.traces import parts_of
+
+    simulation = prepared.simulation
+    recorder = Recorder(simulation, parts_of(prepared.opened))
+    watch = _watch_of(prepared, recorder.header, watched)
+    stop = watch if stops else None
+    with Agents() as agents, emergency_stop() as pressed, recording(prepared, recorder, watch) as on_step:
+        told = FleetCallbacks(
+            log_event,
+            lambda: _is_over(pressed, stop),
+            on_step,
+            stop_sentence=lambda: _stop_sentence(pressed, stop),
+        )
+        run = run_fleet(simulation, plan, agents, told)
+    _print_result(simulation, run, watch.judgements() if watch is not None else [], as_json)
+    if pressed.is_set() and run.outcome == "stopped":
+        raise typer.Exit(130)
+    if run.outcome != "done" or (watch is not None and watch.broken):
+        raise typer.Exit(1)
+
+
+def _watch_of(prepared: PreparedRun, header: TraceHeader, watched: list[str] | None) -> FleetWatch | None:
+    """What watches for properties; None where none is watched."""
+    if not watched:
+        return None
+    from kitrobot.judges.fleet_watch import FleetWatch
+
+    questions = watched_properties(prepared, watched)
+    return FleetWatch(header, prepared.opened, questions, lambda sentence: log_event("", sentence))
+
+
+def _is_over(pressed: threading.Event, stop: FleetWatch | None) -> bool:
+    """Whether everything is to stop: Ctrl-C was pressed, or a property broke that stops the team."""
+    return pressed.is_set() or (stop is not None and bool(stop.broken))
+
+
+def _stop_sentence(pressed: threading.Event, stop: FleetWatch | None) -> Sentence:
+    """Why everything was stopped."""
+    if stop is None or not stop.broken or pressed.is_set():
+        return Sentence("Stopped by the emergency stop.")
+    return Sentence("Stopped, since the property `{name}` is broken.", stop.broken[0].question)
+
+
+def _print_result(simulation: Simulation, run: FleetRun, judgements: list[Judgement], as_json: bool) -> None:
+    """Gives what came of it, and of what was watched."""
+    from kitrobot.cli.judgements import judgement_lines
+
     result = result_of(simulation, run)
-    print_data(json_text(result) + "\n" if as_json else _summary(result))
-    if run.outcome != "done":
-        raise typer.Exit(130 if run.outcome == "stopped" else 1)
+    if as_json:
+        more = {"watched": [one.to_json() for one in judgements]} if judgements else {}
+        print_data(json_text(result | more) + "\n")
+    else:
+        watched = "".join(f"{line}\n" for line in ("", *judgement_lines(judgements))) if judgements else ""
+        print_data(_summary(result) + watched)
 
 
 def _boards_of(given: list[str] | None, names: list[str]) -> Mapping[str, str]:
@@ -186,18 +264,28 @@ def emergency_stop() -> Iterator[threading.Event]:
 
 
 @contextmanager
-def recording(prepared: PreparedRun) -> Iterator[Callable[[Simulation], None]]:
-    """Records each step, where that is wanted."""
-    from kitrobot.sim.recorder import Recorder, outcome_of
+def recording(
+    prepared: PreparedRun, recorder: Recorder, watch: FleetWatch | None
+) -> Iterator[Callable[[Simulation], None]]:
+    """Records each step and looks at it, where that is wanted; what breaks is recorded too."""
+    from kitrobot.sim.recorder import outcome_of
     from kitrobot.trace.writer import TraceWriter
-    from kitrobot.workspace.traces import parts_of
+
+    def record(simulation: Simulation) -> TickRecord:
+        found = recorder.record()
+        if watch is not None:
+            watch.after_step(found, simulation.outcome)
+        return found
+
+    def look(simulation: Simulation) -> None:
+        if watch is not None:
+            record(simulation)
 
     if prepared.options.trace is None:
-        yield lambda simulation: None
+        yield look
         return
-    recorder = Recorder(prepared.simulation, parts_of(prepared.opened))
     with TraceWriter(prepared.options.trace, recorder.header) as writer:
-        yield lambda simulation: writer.record(recorder.record())
+        yield lambda simulation: writer.record(record(simulation))
         writer.finish(outcome_of(prepared.simulation))
 
 

@@ -37,6 +37,10 @@ class FleetSource(UnchangeableSource):
         parts: XML files that the mission needs.
         stop: presses the emergency stop.
 
+    Attributes:
+        on_record: called with each record before it is kept, and how the run ended with it; None while it goes on. It
+            may add events.
+
     Raises:
         TraceError: the file cannot be made.
     """
@@ -52,6 +56,7 @@ class FleetSource(UnchangeableSource):
         self._simulation = simulation
         self._recorder = Recorder(simulation, parts)
         self._stop = stop
+        self.on_record: Callable[[TickRecord, str | None], None] = lambda record, outcome: None
         self._lock = threading.Lock()
         """Guards the file and what is newest."""
         self._path = path
@@ -72,9 +77,10 @@ class FleetSource(UnchangeableSource):
     def step(self) -> None:
         """Records the run after a step, and before the first."""
         record = self._recorder.record()
+        if self._written and record.tick <= self._newest.tick:
+            return
+        self.on_record(record, self._simulation.outcome)
         with self._lock:
-            if self._written and record.tick <= self._newest.tick:
-                return
             self._newest, self._written = record, True
             if record.tick == 0:
                 self._now = record

@@ -66,6 +66,7 @@ class FleetCallbacks:
         on_step: the run, after the first readings and after each step.
         on_there: the name of an agent that has come.
         on_ended: once, the name of an agent whose process has ended, and a sentence; None: as `on_message`.
+        stop_sentence: why the team was stopped.
     """
 
     on_message: Callable[[str, str], None]
@@ -73,6 +74,7 @@ class FleetCallbacks:
     on_step: Callable[[Simulation], None]
     on_there: Callable[[str], None] = lambda name: None
     on_ended: Callable[[str, str], None] | None = None
+    stop_sentence: Callable[[], str] = lambda: Sentence("Stopped by the emergency stop.")
 
 
 class TeamProcess:
@@ -222,7 +224,7 @@ class TeamProcess:
             self._watch_processes()
             self._report_log()
         outcome = simulation.outcome or STOPPED
-        sentence = simulation.sentence if simulation.outcome else Sentence("Stopped by the emergency stop.")
+        sentence = simulation.sentence if simulation.outcome else self.callbacks.stop_sentence()
         for _ in range(3):
             self.channel.send(EVERYBODY, kinds.BYE, json.dumps([outcome, sentence]).encode())
             # What is closed at once may not be sent.

@@ -1,6 +1,6 @@
 """What a judge says of a property: kept, broken or not decided, with the ground for it.
 
-Left to others: how a judge comes to it (mission_judges, recording_judge, run_watch).
+Left to others: how a judge comes to it (mission_judges, record_monitor, recording_judge, run_watch).
 """
 
 from __future__ import annotations
@@ -11,7 +11,8 @@ from enum import StrEnum
 from typing import Any
 
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.text.sentences import Sentence
+from kitrobot.text.phrases import listed
+from kitrobot.text.sentences import Recorded, Sentence
 
 
 class Judge(StrEnum):
@@ -22,6 +23,7 @@ class Judge(StrEnum):
     RUNS = "runs"
     FAILURES = "failures"
     RECORDING = "recording"
+    TEAM = "team"
 
 
 class JudgeAnswer(StrEnum):
@@ -83,6 +85,19 @@ class Judgement:
         reason = Sentence("broken at {seconds} s (tick {tick})", self._moment(tick), tick)
         return replace(self, ruling=JudgeAnswer.BROKEN, reason=reason, tick=tick)
 
+    @property
+    def break_sentence(self) -> Sentence:
+        """The break as a line of a log: the property, the moment, the robots that it speaks of."""
+        moment = self._moment(self.tick)
+        if not self.agents:
+            return Sentence("the property `{name}` is broken at {seconds} s", self.question, moment)
+        return Sentence(
+            "the property `{name}` is broken at {seconds} s; it speaks of {robots}",
+            self.question,
+            moment,
+            listed(self.agents),
+        )
+
     def _moment(self, tick: int) -> str:
         return f"{tick * self.tick_ms / 1000:.2f}"
 
@@ -105,6 +120,11 @@ class Judgement:
             "agents": list(self.agents),
             "why": [str(sentence) for sentence in self.why],
         }
+
+
+def break_text(question: str) -> Recorded:
+    """A break as an event of a run; `question`: the property as it was asked."""
+    return Recorded("the property {name} is broken", question)
 
 
 def exit_status(judgements: Iterable[Judgement]) -> int:

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from kitrobot.experiments.run_question import RunProperty, find_run_property
-from kitrobot.judges.judgement import Judge, JudgeAnswer, Judgement
-from kitrobot.mission.property_text import read_property
+from kitrobot.judges.judgement import Judge, JudgeAnswer, Judgement, break_text
+from kitrobot.mission.property_text import read_question
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.simulation import Simulation
-from kitrobot.text.sentences import Recorded, Sentence
+from kitrobot.text.sentences import Sentence
 from kitrobot.verifier.report.replay import RunObserver
 
 
@@ -39,8 +39,9 @@ class RunWatch:
     def __init__(self, run: Simulation, questions: Sequence[str]) -> None:
         self._run = run
         self._watched: list[_WatchedProperty] = []
+        own = [one.name for one in run.mission.properties]
         for text in questions:
-            question = read_property(text)
+            question = read_question(text, own)
             found = find_run_property(question, run)
             self._watched.append(
                 _WatchedProperty(question.text, found, RunObserver(found.property, run), question.within_s)
@@ -71,8 +72,7 @@ class RunWatch:
         return [self._event(one)]
 
     def _event(self, one: _WatchedProperty) -> Event:
-        text = Recorded("the property {name} is broken", one.question)
-        return Event(self._run.tick, "message", "", text, -1, "program")
+        return Event(self._run.tick, "message", "", break_text(one.question), -1, "program")
 
     def judgements(self, subject: str) -> list[Judgement]:
         """What is known of each property; `subject` is the name of what runs."""

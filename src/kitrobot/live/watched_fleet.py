@@ -22,6 +22,7 @@ from kitrobot.fleet.run_source import FleetSource
 from kitrobot.fleet.status_reports import StatusReport
 from kitrobot.fleet.team_process import FleetCallbacks, FleetRun
 from kitrobot.fleet.transport import Network
+from kitrobot.judges.fleet_watch import FleetWatch
 from kitrobot.live.robot_status import recovery_hint
 from kitrobot.live.team_controller import TeamController
 from kitrobot.live.watched_recording import WatchedRecords
@@ -44,6 +45,7 @@ class FleetThread:
 
     Raises:
         TraceError: its run cannot be recorded.
+        JudgeError: a robot of it is not known.
     """
 
     def __init__(
@@ -68,6 +70,9 @@ class FleetThread:
         try:
             trace = Path(self._folder.name) / f"run{ENDING}"
             self.source = FleetSource(prepared.simulation, trace, parts_of(prepared.opened), self.stop)
+            if prepared.opened.mission.properties:
+                watch = FleetWatch(self.source.header, prepared.opened, (), self._on_broken)
+                self.source.on_record = watch.after_step
         except BaseException:
             self._folder.cleanup()
             raise
@@ -160,6 +165,10 @@ class FleetThread:
             self._team.report_agent(name, sentence)
         else:
             self._team.update(message=sentence)
+
+    def _on_broken(self, sentence: Sentence) -> None:
+        """A property of the mission is broken: it is an event of the run, and the status of the team."""
+        self._team.update(message=sentence)
 
     def _on_agent_report(self, name: str, told: StatusReport) -> None:
         """A report of an agent, in a thread of its own."""

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -106,6 +107,13 @@ def read_property(text: str) -> PropertyText:
             )
         return PropertyText(text, "", replace(found, seconds=within))
     return PropertyText(text, "", found, within)
+
+
+def read_question(text: str, names: Collection[str]) -> PropertyText:
+    """As `read_property`; a text that is one of these names, of properties of a mission, is that name, whatever its
+    words are.
+    """
+    return PropertyText(text, text) if text in names else read_property(text)
 
 
 def _read_form(body: str) -> AskedProperty | None:
