@@ -316,6 +316,19 @@ class TeacherGradeShape(BaseModel):
     folders: Annotated[list[Folder], Field(max_length=1000)] | None = None
 
 
+class TeacherMarksShape(BaseModel):
+    """The marks as CSV: the name of the file and its text, how many exercises, and whom the gradebook's list lacks.
+
+    `listed`: there is such a list.
+    """
+
+    name: str
+    text: str
+    exercises: int
+    listed: bool
+    unlisted: list[str]
+
+
 class TeacherLogShape(BaseModel):
     """The last lines of the log, the newest first."""
 

@@ -9,6 +9,10 @@ import type * as server from "./generated";
 import { type Silence, watchSilence } from "./silence";
 import { token } from "./token";
 
+/** What marks are written for. */
+export const GRADEBOOKS = ["moodle", "canvas", "sheet"] as const;
+export type Gradebook = (typeof GRADEBOOKS)[number];
+
 interface Asked {
   method?: "GET" | "POST" | "PUT";
   json?: unknown;
@@ -88,6 +92,7 @@ export const classApi = {
   collect: (folders: readonly string[] | null) => bytes(`/teacher/collect${chosen(folders)}`),
   table: () => bytes("/teacher/table"),
   grade: (folders: readonly string[] | null) => ask<number>("/teacher/grade", post({ folders })),
+  marks: (gradebook: Gradebook) => ask<server.TeacherMarks>(`/teacher/marks?gradebook=${gradebook}`),
   grades: () => bytes("/teacher/grades"),
 };
 

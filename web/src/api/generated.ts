@@ -2272,6 +2272,18 @@ export interface TeacherLog {
   lines: string[];
 }
 
+/**
+ * The marks as CSV: the name of the file and its text, how many exercises, and whom the gradebook's list lacks.
+ * `listed`: there is such a list.
+ */
+export interface TeacherMarks {
+  name: string;
+  text: string;
+  exercises: number;
+  listed: boolean;
+  unlisted: string[];
+}
+
 /** A few words for one pupil. */
 export interface TeacherNote {
   folder: string;

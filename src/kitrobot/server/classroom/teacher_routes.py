@@ -13,6 +13,8 @@ from kitrobot.classroom.admission import Admission
 from kitrobot.classroom.archive import ClassArchive, build_archive, table
 from kitrobot.classroom.class_room import ClassError
 from kitrobot.classroom.exercises import hand_out_exercise
+from kitrobot.classroom.gradebook_list import read_gradebook_list
+from kitrobot.classroom.gradebook_tables import Gradebook, marks_as_csv
 from kitrobot.classroom.grading_queue import ClassGrader
 from kitrobot.classroom.messages import (
     ClassPictureShape,
@@ -25,6 +27,7 @@ from kitrobot.classroom.messages import (
     TeacherHandedOutShape,
     TeacherHandOutShape,
     TeacherLogShape,
+    TeacherMarksShape,
     TeacherNoteShape,
     TeacherPlacesShape,
     TeacherPupilShape,
@@ -209,3 +212,18 @@ def grade(grading: TheGrading, wanted: TeacherGradeShape) -> int:
 def grades(grading: TheGrading) -> Response:
     """The page that grading wrote last."""
     return Response(grading.page(), media_type="text/html; charset=utf-8")
+
+
+@teacher_routes.get("/marks")
+def marks(room: ThisRoom, gradebook: Gradebook) -> TeacherMarksShape:
+    """The marks of all pupils as CSV, in the form of that gradebook."""
+    listed = read_gradebook_list(room.folder)
+    with room.lock:
+        made = marks_as_csv(gradebook, room.record.pupils, listed)
+    return TeacherMarksShape(
+        name=f"marks-{gradebook}.csv",
+        text=made.data.decode(),
+        exercises=made.exercises,
+        listed=bool(listed),
+        unlisted=list(made.unlisted),
+    )
