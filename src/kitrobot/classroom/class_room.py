@@ -20,6 +20,7 @@ from typing import Final
 from kitrobot.classroom.gradebook_list import NAME as GRADEBOOK
 from kitrobot.classroom.log import NAME as LOG
 from kitrobot.classroom.log import Log
+from kitrobot.classroom.marks import comments_of
 from kitrobot.classroom.names import as_file_name, free_name, key_of, new_code, same_name
 from kitrobot.classroom.pupil import Pupil, Report
 from kitrobot.classroom.pupil_status import HandIn, PupilStatus
@@ -264,6 +265,7 @@ class ClassRoom:
                 self.looked == pupil.folder,
                 pupil.asked is not None,
                 pupil.turn,
+                comments_of(record.marks),
             )
 
     def hand_in(self, pupil: Pupil, shown: str, data: bytes, base: str) -> HandIn:

@@ -49,6 +49,11 @@ def put_mark(marks: Sequence[Mark], mark: Mark) -> list[Mark]:
     return [mark if one.exercise == mark.exercise else one for one in marks]
 
 
+def comments_of(marks: Sequence[Mark]) -> dict[str, str]:
+    """The comments that there are, by the names of their exercises."""
+    return {one.exercise: one.comment for one in marks if one.comment}
+
+
 def mark_lines(marks: Sequence[Mark]) -> list[str]:
     """The lines of TOML for the marks of a pupil."""
     lines: list[str] = []

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from kitrobot.classroom.assignments import unpack
 from tests.patience import PATIENCE_S
 from tests.server.classes.conftest import KEY, SOCKET, SQUARE, hand_in, told
@@ -106,14 +108,20 @@ def test_the_class_is_graded_with_its_exercise(school):
 def marks_reach_the_gradebook(teacher, school) -> None:
     (mark,) = school.room.pupils["Ada"].record.marks
     assert (mark.exercise, mark.points) == (SQUARE, 0)
-    school.join("Ben")
+    ben, _ = school.join("Ben")
+    wanted = {"folder": "Ada", "exercise": SQUARE, "text": "=Well\n\tdone"}
+    assert ben.post("/api/class/teacher/comment", json=wanted).status_code == 403
+    for wrong in ({"text": "x" * 501}, {"folder": "../Ada"}, {"exercise": "none"}):
+        assert teacher.post("/api/class/teacher/comment", json={**wanted, **wrong}).status_code == 422
+    assert teacher.post("/api/class/teacher/comment", json=wanted).json() is True
+    assert school.room.pupils["Ada"].record.marks == [replace(mark, comment="=Well done")]
     (school.room.folder / "gradebook.csv").write_text("First name,Last name,Email address\nAda,King,ada@x\n")
     found = teacher.get("/api/class/teacher/marks", params={"gradebook": "moodle"}).json()
     assert (found["name"], found["exercises"], found["listed"], found["unlisted"]) == (
         *("marks-moodle.csv", 1, True),
         ["Ben"],
     )
-    assert found["text"].splitlines()[1:] == ["ada@x,Ada King,0,", "? Ben,Ben,-,"]
+    assert found["text"].splitlines()[1:] == ["ada@x,Ada King,0,'=Well done", "? Ben,Ben,-,"]
     assert teacher.get("/api/class/teacher/marks", params={"gradebook": "../x"}).status_code == 422
     (school.room.folder / "gradebook.csv").write_text("1,2\n")
     refused = teacher.get("/api/class/teacher/marks", params={"gradebook": "canvas"})

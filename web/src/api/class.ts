@@ -81,6 +81,8 @@ export const classApi = {
   handOut: (path: string, to: readonly string[] | null) =>
     ask<server.TeacherHandedOut>("/teacher/hand-out", post({ path, to })),
   write: (folder: string, text: string) => ask<boolean>("/teacher/note", post({ folder, text })),
+  comment: (folder: string, exercise: string, text: string) =>
+    ask<boolean>("/teacher/comment", post({ folder, exercise, text })),
   handDown: (folder: string) => ask<boolean>("/teacher/hand-down", post({ folder })),
   turn: (folder: string, asks: boolean) => ask<boolean>("/teacher/turn", post({ folder, ask: asks })),
   add: (name: string) => ask<server.TeacherPupil>("/teacher/add", post({ name })),

@@ -1213,6 +1213,19 @@ export interface LookRequest {
 }
 
 /**
+ * A mark of one exercise. Attributes: exercise: the name of the exercise in the class. label: what it is called, in
+ * English. points: what was earned, from 0 to `of`; None before it is graded, and where the work cannot be judged. of:
+ * the points of all its goals; 0 while it is not known. comment: what the teacher wrote, on one line; "" for nothing.
+ */
+export interface Mark {
+  exercise: string;
+  label: string;
+  points: number | null;
+  of: number;
+  comment: string;
+}
+
+/**
  * What a number means. `scale`: how many units one is, a decimal number above 0 or `WAIT_UNIT`. `units`: the unit in
  * other languages than English, whose word stands beside the number.
  */
@@ -1663,7 +1676,8 @@ export interface ProjectionSpan {
 
 /**
  * A pupil as the overview shows them; `seconds` is how long the state lasts, where that counts. `version` is another
- * one with each picture, 0 while there is none; `frozen`: this pupil is to look up, alone or with everybody.
+ * one with each picture, 0 while there is none; `frozen`: this pupil is to look up, alone or with everybody; `mark`: of
+ * the exercise of the class.
  */
 export interface Pupil {
   folder: string;
@@ -1679,11 +1693,12 @@ export interface Pupil {
   pages: number;
   frozen: boolean;
   turn: "pupil" | "asked" | "teacher";
+  mark: Mark | null;
 }
 
 /**
  * What the pupil's page is to know. `handed` and `note` count: a higher number is a new one. `turn`: who edits, or that
- * the teacher asks to.
+ * the teacher asks to. `comments`: what the teacher wrote on exercises, by their names.
  */
 export interface PupilNewsMessage {
   type: "pupil";
@@ -1699,6 +1714,7 @@ export interface PupilNewsMessage {
   looked: boolean;
   hand: boolean;
   turn: "pupil" | "asked" | "teacher";
+  comments: Record<string, string>;
 }
 
 /** Pupils that changed since the last message, and who is gone; `kept_s`: seconds since work came in last. */
@@ -2237,6 +2253,13 @@ export interface TeacherAnswer {
 /** A new code, or none. */
 export interface TeacherCode {
   on: boolean;
+}
+
+/** What the teacher writes on a pupil's work of that exercise, "" to take it back. */
+export interface TeacherComment {
+  folder: string;
+  exercise: string;
+  text: string;
 }
 
 /** The exercise of the class from now on, "" for none. */

@@ -12,7 +12,7 @@ from fastapi import Depends, Query, Request, Response
 from kitrobot.classroom.admission import Admission
 from kitrobot.classroom.archive import ClassArchive, build_archive, table
 from kitrobot.classroom.class_room import ClassError
-from kitrobot.classroom.exercises import hand_out_exercise
+from kitrobot.classroom.exercises import exercise_label, hand_out_exercise
 from kitrobot.classroom.gradebook_list import read_gradebook_list
 from kitrobot.classroom.gradebook_tables import Gradebook, marks_as_csv
 from kitrobot.classroom.grading_queue import ClassGrader
@@ -21,6 +21,7 @@ from kitrobot.classroom.messages import (
     TeacherAddShape,
     TeacherAnswerShape,
     TeacherCodeShape,
+    TeacherCommentShape,
     TeacherExerciseShape,
     TeacherFreezeShape,
     TeacherGradeShape,
@@ -127,6 +128,14 @@ def hand_out(actions: ThisActions, studio: ThisStudio, wanted: TeacherHandOutSha
 def note(actions: ThisActions, room: ThisRoom, wanted: TeacherNoteShape) -> bool:
     """Writes a few words to one pupil."""
     actions.send_note(_one(room, wanted.folder), wanted.text)
+    return True
+
+
+@teacher_routes.post("/comment")
+def comment(actions: ThisActions, room: ThisRoom, studio: ThisStudio, wanted: TeacherCommentShape) -> bool:
+    """Writes a line on a pupil's work of an exercise."""
+    label = exercise_label(studio, wanted.exercise)
+    actions.comment(_one(room, wanted.folder), wanted.exercise, label, wanted.text)
     return True
 
 

@@ -22,9 +22,19 @@ export interface Memory {
   handed: number;
   exercise: string;
   note: number;
+  /** By the exercise. */
+  comments: Record<string, string>;
 }
 
-export const NOTHING: Memory = { places: {}, waiting: null, begun: false, handed: 0, exercise: "", note: 0 };
+export const NOTHING: Memory = {
+  places: {},
+  waiting: null,
+  begun: false,
+  handed: 0,
+  exercise: "",
+  note: 0,
+  comments: {},
+};
 
 function isPlace(value: unknown): value is Place {
   if (typeof value !== "object" || value === null) return false;
@@ -41,7 +51,7 @@ export function readMemory(text: string | null): Memory {
   } catch {
     // Nothing of ours.
   }
-  const { places, waiting, begun, handed, exercise, note } = found;
+  const { places, waiting, begun, handed, exercise, note, comments } = found;
   const known =
     typeof places === "object" && places !== null ? Object.entries(places).filter(([, one]) => isPlace(one)) : [];
   const { shown, place, mission } = (typeof waiting === "object" && waiting !== null ? waiting : {}) as Record<
@@ -56,6 +66,11 @@ export function readMemory(text: string | null): Memory {
     handed: typeof handed === "number" ? handed : 0,
     exercise: typeof exercise === "string" ? exercise : "",
     note: typeof note === "number" ? note : 0,
+    comments: Object.fromEntries(
+      Object.entries(typeof comments === "object" && comments !== null ? comments : {}).filter(
+        (one): one is [string, string] => typeof one[1] === "string",
+      ),
+    ),
   };
 }
 
