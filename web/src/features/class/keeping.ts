@@ -22,7 +22,7 @@ import { beginMission, openPath } from "../../session/open-requests";
 import { useRun } from "../../session/run";
 import { tellArena } from "./arena";
 import { type Memory, type Place, placeFor, readMemory } from "./kept";
-import { leaveFiles } from "./left";
+import { forgetKept, leaveFiles } from "./left";
 
 const QUIET_MS = 1200;
 const LONGEST_MS = 5000;
@@ -324,7 +324,10 @@ class PupilSync {
 
   /** The pupil goes. What the class does not have yet stays in this browser. */
   goAway(): void {
-    if (this.#waiting === null && this.#memory.waiting === null) leaveFiles();
+    if (this.#waiting === null && this.#memory.waiting === null) {
+      leaveFiles();
+      forgetKept(storageName());
+    }
     leaveClass();
   }
 
