@@ -74,3 +74,29 @@ def test_what_a_page_shows_is_kept_only_while_the_teacher_looks_on(room, admissi
     assert ada.arena == "{}"
     TeacherActions(room).view_pupil(None)
     assert ada.arena == ""
+
+
+def test_a_comment_stays_with_its_exercise_and_the_pupil_is_told(room, admission):
+    join(room, admission)
+    ada = room.pupils["Ada"]
+    actions = TeacherActions(room)
+    with pytest.raises(ClassError):
+        actions.comment(ada, "square", "", "Good")
+    with pytest.raises(ClassError):
+        actions.comment(ada, "", "", "Good")
+    actions.set_exercise("square")
+    actions.comment(ada, "square", "A square", " =Good\n\twork " + "x" * 600)
+    assert room.status_of(ada).comments == {"square": ("=Good work " + "x" * 600)[:500]}
+    # Another exercise has its own, and what was written before stays and can be changed.
+    actions.set_exercise("line")
+    actions.comment(ada, "line", "", "Straight")
+    actions.comment(ada, "square", "", "Round")
+    assert room.status_of(ada).comments == {"square": "Round", "line": "Straight"}
+    found = read_record(room.folder)
+    assert found is not None
+    assert [(one.label, one.comment, one.points) for one in found.pupils[0].marks] == [
+        ("A square", "Round", None),
+        ("line", "Straight", None),
+    ]
+    actions.comment(ada, "line", "", "  ")
+    assert room.status_of(ada).comments == {"square": "Round"}

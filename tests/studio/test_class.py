@@ -165,6 +165,10 @@ def a_pupil_asks_for_help_and_gets_a_few_words(teacher: Page, pupil: Page) -> No
     teacher.get_by_test_id("write").fill("Look at the turn")
     teacher.get_by_test_id("write").press("Enter")
     expect(pupil.get_by_test_id("class-note")).to_contain_text("Look at the turn")
+    # What is written on the exercise stands beside it.
+    teacher.get_by_test_id("comment").fill("A fine square")
+    teacher.get_by_test_id("comment").press("Enter")
+    expect(pupil.get_by_test_id("exercise-comment")).to_contain_text("A fine square")
     find_nothing(teacher, "a class, looking at one")
     find_nothing(pupil, "a pupil with a word of the teacher's")
     teacher.get_by_test_id("look").get_by_role("button", name="I was there").click()

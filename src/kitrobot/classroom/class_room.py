@@ -17,8 +17,10 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Final
 
+from kitrobot.classroom.gradebook_list import NAME as GRADEBOOK
 from kitrobot.classroom.log import NAME as LOG
 from kitrobot.classroom.log import Log
+from kitrobot.classroom.marks import comments_of
 from kitrobot.classroom.names import as_file_name, free_name, key_of, new_code, same_name
 from kitrobot.classroom.pupil import Pupil, Report
 from kitrobot.classroom.pupil_status import HandIn, PupilStatus
@@ -41,7 +43,19 @@ GRADES_PAGE: Final = "grades.html"
 GRADES_TABLE: Final = "grades.csv"
 STUDIOS: Final = ".studios"
 """The folder with pupils' studios, where there is no site."""
-_RESERVED: Final = (HANDED_OUT, SITE, "grades", "class", "log", RECORD, LOG, GRADES_PAGE, GRADES_TABLE)
+_RESERVED: Final = (
+    HANDED_OUT,
+    SITE,
+    "grades",
+    "class",
+    "log",
+    RECORD,
+    LOG,
+    GRADES_PAGE,
+    GRADES_TABLE,
+    "gradebook",
+    GRADEBOOK,
+)
 """Names in the folder that are no pupil's: what the class itself writes there."""
 _FILES: Final = (".xml", ".krt", ".kri", ".kra", ".lll", ".krtrace", ".html", ".csv", ".toml", ".txt")
 """Endings of files that the class and the teacher's studio read and write there: no pupil's folder has one."""
@@ -251,6 +265,7 @@ class ClassRoom:
                 self.looked == pupil.folder,
                 pupil.asked is not None,
                 pupil.turn,
+                comments_of(record.marks),
             )
 
     def hand_in(self, pupil: Pupil, shown: str, data: bytes, base: str) -> HandIn:

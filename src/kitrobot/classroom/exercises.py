@@ -7,15 +7,24 @@ goes on writing. Pupils' studios get a copy under the same name, which they read
 
 from __future__ import annotations
 
+from contextlib import suppress
 from pathlib import Path, PurePosixPath
 
 from kitrobot.classroom.assignments import is_plain, read_files, write_files
 from kitrobot.classroom.class_room import ClassError, ClassRoom
 from kitrobot.classroom.names import as_file_name
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.exercise.hidden_parts import remove_hidden_parts
 from kitrobot.files.folder import EXAMPLE, EXERCISE_ENDING, HANDED_OUT, TUTORIAL_ENDING
 from kitrobot.live.studio import Studio
 from kitrobot.text.sentences import Sentence
+
+
+def exercise_label(studio: Studio, name: str) -> str:
+    """What an exercise is called in English; "" where it cannot be used."""
+    with suppress(KitRobotError):
+        return studio.exercises.usable(name)[0].label.get("", "")
+    return ""
 
 
 def hand_out_exercise(room: ClassRoom, studio: Studio, name: str) -> str:

@@ -1,6 +1,7 @@
 """Grading a class with its exercise: what each pupil handed in last, beside the running class, one piece after another.
 
-It writes `grades.html` and `grades.csv` into the class's folder; goals that pupils' own pages report do not count.
+It writes `grades.html` and `grades.csv` into the class's folder, and keeps each pupil's points as a mark; goals that
+pupils' own pages report do not count.
 """
 
 from __future__ import annotations
@@ -16,6 +17,8 @@ from kitrobot.classroom.class_room import GRADES_PAGE, GRADES_TABLE, ClassError,
 from kitrobot.classroom.grade_tables import as_csv, as_html
 from kitrobot.classroom.grades import Grade
 from kitrobot.classroom.grading import grade
+from kitrobot.classroom.marks import Mark, find_mark, put_mark
+from kitrobot.classroom.pupil import Pupil
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.disk import FileError, read_bytes, write_atomic
 from kitrobot.files.folder import EXERCISE_ENDING
@@ -59,21 +62,23 @@ class ClassGrader:
             raise ClassError(Sentence("the class has no exercise"), Sentence("choose one first"))
         self._studio.exercises.usable(exercise)
         path = self._studio.folder.path_of(exercise, EXERCISE_ENDING)
-        names = {
-            str(self._room.folder / pupil.folder / pupil.work): pupil.record.name
+        pupils = {
+            str(self._room.folder / pupil.folder / pupil.work): pupil
             for pupil in list(self._room.pupils.values())
             if pupil.work and (folders is None or pupil.folder in folders)
         }
-        if not names:
+        if not pupils:
             raise ClassError(Sentence("nobody has handed anything in yet"), "")
         with self._lock:
             if self._thread is not None and self._thread.is_alive():
                 raise ClassError(Sentence("grading is on already"), "")
             self._stop = threading.Event()
-            self.state = GradingState(0, len(names))
-            self._thread = threading.Thread(target=self._run, args=(names, path), name="grading", daemon=True)
+            self.state = GradingState(0, len(pupils))
+            self._thread = threading.Thread(
+                target=self._run, args=(pupils, exercise, path), name="grading", daemon=True
+            )
             self._thread.start()
-        return len(names)
+        return len(pupils)
 
     def end(self) -> None:
         """Cancels grading."""
@@ -93,20 +98,34 @@ class ClassGrader:
         """
         return read_bytes(self._room.folder / GRADES_PAGE)
 
-    def _run(self, names: dict[str, str], exercise: Path) -> None:
+    def _run(self, pupils: dict[str, Pupil], name: str, exercise: Path) -> None:
         made: list[Grade] = []
+        marks: list[tuple[Pupil, Grade]] = []
         try:
-            for one in grade([Path(name) for name in names], exercise, JOBS, stop=self._stop):
-                made.append(replace(one, submission=names[one.submission]))
-                self.state = GradingState(len(made), len(names))
-            if self._stop.is_set() and len(made) < len(names):
+            for one in grade([Path(path) for path in pupils], exercise, JOBS, stop=self._stop):
+                marks.append((pupils[one.submission], one))
+                made.append(replace(one, submission=pupils[one.submission].record.name))
+                self.state = GradingState(len(made), len(pupils))
+            if self._stop.is_set() and len(made) < len(pupils):
                 return
             made.sort(key=lambda one: one.submission)
             write_atomic(self._room.folder / GRADES_TABLE, as_csv(made).encode(errors="replace"))
             write_atomic(self._room.folder / GRADES_PAGE, as_html(made).encode(errors="replace"))
-            self.state = GradingState(len(made), len(names), GRADES_PAGE)
+            self._keep_marks(name, marks)
+            self.state = GradingState(len(made), len(pupils), GRADES_PAGE)
             self._room.log.write(f"{len(made)} were graded: {GRADES_PAGE}")
         except (KitRobotError, FileError, OSError) as error:
             _log.warning("grading ended: %s", error)
             self._room.log.write(f"grading ended: {error}")
             self.state = None
+
+    def _keep_marks(self, exercise: str, grades: Sequence[tuple[Pupil, Grade]]) -> None:
+        """Keeps the points beside those of other exercises; a comment on the exercise stays."""
+        with self._room.lock:
+            for pupil, one in grades:
+                before = find_mark(pupil.record.marks, exercise) or Mark(exercise, exercise)
+                label = one.exercise.get("en") or before.label
+                judged = one.problem is None
+                mark = replace(before, label=label, points=one.points if judged else None, of=one.of or before.of)
+                pupil.record.marks = put_mark(pupil.record.marks, mark)
+            self._room.notify(kept=True)

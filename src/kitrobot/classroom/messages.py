@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, Field
 
 from kitrobot.classroom.grading_queue import GradingState
+from kitrobot.classroom.marks import LONGEST_COMMENT, Mark
 from kitrobot.classroom.pupil import GoalReport, State
 from kitrobot.classroom.pupil_status import Turn
 from kitrobot.wire.mission import MissionShape, ProgramValue
@@ -130,7 +131,7 @@ class TurnMessage(BaseModel):
 
 class PupilNewsMessage(BaseModel):
     """What the pupil's page is to know. `handed` and `note` count: a higher number is a new one. `turn`: who edits, or
-    that the teacher asks to.
+    that the teacher asks to. `comments`: what the teacher wrote on exercises, by their names.
     """
 
     type: Literal["pupil"]
@@ -146,6 +147,7 @@ class PupilNewsMessage(BaseModel):
     looked: bool
     hand: bool
     turn: Turn
+    comments: dict[str, str]
 
 
 # -- the teacher's page
@@ -155,7 +157,7 @@ class PupilShape(BaseModel):
     """A pupil as the overview shows them; `seconds` is how long the state lasts, where that counts.
 
     `version` is another one with each picture, 0 while there is none; `frozen`: this pupil is to look up, alone or with
-    everybody.
+    everybody; `mark`: of the exercise of the class.
     """
 
     folder: str
@@ -171,6 +173,7 @@ class PupilShape(BaseModel):
     pages: int
     frozen: bool
     turn: Turn
+    mark: Annotated[Mark, WireFields()] | None
 
 
 class ClassGoalNameShape(BaseModel):
@@ -278,6 +281,14 @@ class TeacherNoteShape(BaseModel):
     text: Annotated[str, Field(max_length=500)]
 
 
+class TeacherCommentShape(BaseModel):
+    """What the teacher writes on a pupil's work of that exercise, "" to take it back."""
+
+    folder: Folder
+    exercise: Name
+    text: Annotated[str, Field(max_length=LONGEST_COMMENT)]
+
+
 class TeacherPupilShape(BaseModel):
     """One pupil."""
 
@@ -314,6 +325,19 @@ class TeacherGradeShape(BaseModel):
     """Whose work is to be graded with the exercise of the class; null: everybody's."""
 
     folders: Annotated[list[Folder], Field(max_length=1000)] | None = None
+
+
+class TeacherMarksShape(BaseModel):
+    """The marks as CSV: the name of the file and its text, how many exercises, and whom the gradebook's list lacks.
+
+    `listed`: there is such a list.
+    """
+
+    name: str
+    text: str
+    exercises: int
+    listed: bool
+    unlisted: list[str]
 
 
 class TeacherLogShape(BaseModel):

@@ -13,6 +13,7 @@ from pydantic import BaseModel
 from kitrobot.classroom.admission import Admission
 from kitrobot.classroom.class_room import ClassRoom
 from kitrobot.classroom.grading_queue import ClassGrader
+from kitrobot.classroom.marks import find_mark
 from kitrobot.classroom.messages import (
     ClassAskingShape,
     ClassGoalNameShape,
@@ -120,6 +121,7 @@ class Overview:
             pages=pupil.pages,
             frozen=self._room.record.frozen or pupil.record.frozen,
             turn=pupil.turn,
+            mark=find_mark(pupil.record.marks, exercise),
         )
 
     def _exercise(self) -> tuple[dict[str, str], list[ClassGoalNameShape]]:

@@ -32,6 +32,7 @@ class PupilStatus:
         looked: whether the teacher is viewing the pupil's work.
         hand: whether the pupil's hand is raised.
         turn: whose turn it is to edit.
+        comments: what the teacher wrote on exercises, by their names.
     """
 
     class_name: str
@@ -46,3 +47,4 @@ class PupilStatus:
     looked: bool
     hand: bool
     turn: Turn
+    comments: dict[str, str]

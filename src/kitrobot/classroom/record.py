@@ -10,7 +10,6 @@ word (`UnreadPupil`) until a person corrects them.
 from __future__ import annotations
 
 import contextlib
-import json
 import os
 import re
 import tomllib
@@ -18,7 +17,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
 
+from kitrobot.classroom.marks import Mark, mark_lines, marks_of
 from kitrobot.classroom.names import clean_code, is_file_name, key_of
+from kitrobot.classroom.toml_values import count_of, list_of, text_of, toml_string
 from kitrobot.files.disk import FileError, read_bytes, write_atomic
 from kitrobot.text.forms import line_feeds
 from kitrobot.text.sentences import Sentence
@@ -37,7 +38,7 @@ _HEAD = """# A class of KitRobot. While the class runs this file is written anew
 @dataclass
 class PupilRecord:
     """A pupil: name, folder, the word to come back with, digests of keys, what they got last, whether to look up,
-    whether the hand is up, and what the teacher wrote last with its number.
+    whether the hand is up, what the teacher wrote last with its number, and a mark for each exercise that was graded.
     """
 
     name: str
@@ -50,6 +51,7 @@ class PupilRecord:
     hand: bool = False
     note: int = 0
     note_text: str = ""
+    marks: list[Mark] = field(default_factory=list)
 
     def gets(self, key: str) -> None:
         """Another browser of the pupil."""
@@ -105,13 +107,13 @@ def read_record(folder: Path) -> ClassRecord | None:
             return None  # ended before its first line
         if "pupil" in found:
             raise TypeError(Sentence("`{key}` is no list", "pupil"))
-        name, code, exercise = (_text(found, key) for key in ("name", "code", "exercise"))
+        name, code, exercise = (text_of(found, key) for key in ("name", "code", "exercise"))
         record = ClassRecord(
             name or folder.resolve().name,
             clean_code(code),
             exercise,
             found.get("frozen") is True,
-            places=_count(found, "places", USUAL_PLACES),
+            places=count_of(found, "places", USUAL_PLACES),
         )
     except (tomllib.TOMLDecodeError, ValueError, TypeError, RecursionError) as error:
         raise _no_class(path, _reason(error)) from None
@@ -146,7 +148,7 @@ def _read_pupil(record: ClassRecord, text: str, line: int) -> None:
     try:
         text.encode()
         table = tomllib.loads(text)["pupil"][0]
-        name = _text(table, "name")
+        name = text_of(table, "name")
         pupil = _pupil(table)
         folders = {key_of(one.folder) for one in record.pupils}
         if any(one.name == name for one in record.pupils) or key_of(pupil.folder) in folders:
@@ -172,26 +174,27 @@ def write_record(folder: Path, record: ClassRecord) -> None:
     """
     lines = [
         _HEAD,
-        f"name = {_string(record.name)}",
-        f"code = {_string(record.code)}",
-        f"exercise = {_string(record.exercise)}",
+        f"name = {toml_string(record.name)}",
+        f"code = {toml_string(record.code)}",
+        f"exercise = {toml_string(record.exercise)}",
         f"frozen = {'true' if record.frozen else 'false'}",
         f"places = {record.places}",
     ]
     for pupil in record.pupils:
-        keys = ", ".join(_string(key) for key in pupil.keys)
+        keys = ", ".join(toml_string(key) for key in pupil.keys)
         lines += [
             "",
             "[[pupil]]",
-            f"name = {_string(pupil.name)}",
-            f"folder = {_string(pupil.folder)}",
-            f"word = {_string(pupil.word)}",
+            f"name = {toml_string(pupil.name)}",
+            f"folder = {toml_string(pupil.folder)}",
+            f"word = {toml_string(pupil.word)}",
             f"keys = [{keys}]",
             f"handed = {pupil.handed}",
-            f"handed_file = {_string(pupil.handed_file)}",
+            f"handed_file = {toml_string(pupil.handed_file)}",
             *(["frozen = true"] if pupil.frozen else []),
             *(["hand = true"] if pupil.hand else []),
-            *([f"note = {pupil.note}", f"note_text = {_string(pupil.note_text)}"] if pupil.note else []),
+            *([f"note = {pupil.note}", f"note_text = {toml_string(pupil.note_text)}"] if pupil.note else []),
+            *mark_lines(pupil.marks),
         ]
     lines += ["", *(one.text.strip("\n") for one in record.unread)]
     path = folder / NAME
@@ -202,52 +205,27 @@ def write_record(folder: Path, record: ClassRecord) -> None:
     write_atomic(path, ("\n".join(lines) + "\n").encode(errors="surrogateescape"))
 
 
-def _string(text: str) -> str:
-    """A basic string of TOML: JSON's, but for the one sign that JSON lets stand."""
-    text = text.encode(errors="replace").decode()
-    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
-
-
-def _text(table: dict[str, Any], key: str) -> str:
-    value = table.get(key, "")
-    if not isinstance(value, str):
-        raise TypeError(Sentence("`{key}` is no text", key))
-    return value
-
-
-def _list(value: Any) -> list[Any]:
-    if not isinstance(value, list):
-        raise TypeError(Sentence("`{key}` is no list", "pupil"))
-    return value
-
-
 def _pupil(table: dict[str, Any]) -> PupilRecord:
-    name, folder = _text(table, "name"), _text(table, "folder")
+    name, folder = text_of(table, "name"), text_of(table, "folder")
     if not name or not is_file_name(folder):
         raise ValueError(Sentence("a pupil's folder is missing, or leads out of the class"))
-    keys = [str(key) for key in _list(table.get("keys", []))]
-    file = _text(table, "handed_file")
+    keys = [str(key) for key in list_of(table, "keys")]
+    file = text_of(table, "handed_file")
     if file and not is_file_name(file):
         raise ValueError(Sentence("`{key}` makes no sense", "handed"))
     return PupilRecord(
         name,
         folder,
-        clean_code(_text(table, "word")),
+        clean_code(text_of(table, "word")),
         keys[-MOST_KEYS:],
-        _count(table, "handed", 0),
+        count_of(table, "handed", 0),
         file,
         table.get("frozen") is True,
         table.get("hand") is True,
-        _count(table, "note", 0),
-        _text(table, "note_text"),
+        count_of(table, "note", 0),
+        text_of(table, "note_text"),
+        marks_of(table),
     )
-
-
-def _count(table: dict[str, Any], key: str, usual: int) -> int:
-    found = table.get(key, usual)
-    if not isinstance(found, int) or isinstance(found, bool) or found < 0:
-        raise ValueError(Sentence("`{key}` makes no sense", key))
-    return found
 
 
 def _no_class(path: Path, reason: str) -> FileError:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from contextlib import suppress
+from dataclasses import replace
 from typing import Final
 
 from kitrobot.classroom.admission import NameTakenError
 from kitrobot.classroom.class_room import STUDIOS, ClassError, ClassRoom
+from kitrobot.classroom.marks import LONGEST_COMMENT, Mark, find_mark, put_mark
 from kitrobot.classroom.names import clean_name, new_code, work_name
 from kitrobot.classroom.pupil import Pupil
 from kitrobot.files.disk import write_atomic
@@ -130,6 +132,27 @@ class TeacherActions:
         with self._room.lock:
             pupil.record.note += 1
             pupil.record.note_text = " ".join(text.split())[:LONGEST_NOTE]
+            self._room.notify(kept=True)
+
+    def comment(self, pupil: Pupil, exercise: str, label: str, text: str) -> None:
+        """Writes a line on the pupil's work of an exercise, which stays; "" takes it back.
+
+        Args:
+            pupil: who.
+            exercise: the exercise of the class, or one that the pupil has a mark of.
+            label: what it is called, in English; "" where that is not known.
+            text: the line.
+
+        Raises:
+            ClassError: it is neither.
+        """
+        with self._room.lock:
+            before = find_mark(pupil.record.marks, exercise)
+            if before is None and (not exercise or exercise != self._room.record.exercise):
+                raise ClassError(Sentence("the class has another exercise by now"), Sentence("write it once more"))
+            mark = before or Mark(exercise, label or exercise)
+            comment = " ".join(text.split())[:LONGEST_COMMENT]
+            pupil.record.marks = put_mark(pupil.record.marks, replace(mark, comment=comment))
             self._room.notify(kept=True)
 
     def request_turn(self, pupil: Pupil) -> None:

@@ -9,7 +9,9 @@ from typing import Annotated, Protocol
 import typer
 
 from kitrobot.cli.options import ListenPort
+from kitrobot.cli.output import print_data, print_message
 from kitrobot.cli.studio import StudioError
+from kitrobot.text.phrases import one_of
 from kitrobot.text.sentences import Sentence
 
 
@@ -57,17 +59,55 @@ def open_class(
         ),
     ] = None,
     new_code: Annotated[bool, typer.Option("--new-code", help="Another code than the one it had.")] = False,
+    marks: Annotated[
+        str | None,
+        typer.Option(
+            metavar="moodle|canvas|sheet",
+            help="Write the marks into the folder for that gradebook, or as a plain sheet, and open no class.",
+            show_default=False,
+        ),
+    ] = None,
 ) -> None:
     """Open a class: pupils join with a code, the teacher sees what each one does. Ctrl-C ends it.
 
-    The first line of the output is the address of the teacher's page. What pupils make is in the folder, a folder for
-    each of them.
+    The first line of the output is the address of the teacher's page; with `--marks` it is the file. What pupils make
+    is in the folder, a folder for each of them.
     """
     if folder.exists() and not folder.is_dir():
         raise StudioError(Sentence("`{path}` is no folder", folder), Sentence("name a folder for the class"))
+    if marks is not None:
+        _write_marks(folder, marks)
+        return
     classroom: Classroom | None = context.obj
     if classroom is None:
         raise StudioError(
             Sentence("this command line was started without a studio"), Sentence("start it with `python -m kitrobot`")
         )
     classroom(ClassOptions(folder, host, port, tls, browser, new_code, site))
+
+
+def _write_marks(folder: Path, gradebook: str) -> None:
+    """Writes the marks of the class as CSV into its folder, and prints where; a class that is open stays as it is."""
+    from kitrobot.classroom.gradebook_list import NAME, read_gradebook_list
+    from kitrobot.classroom.gradebook_tables import GRADEBOOKS, marks_as_csv
+    from kitrobot.classroom.record import read_record
+    from kitrobot.files.disk import write_atomic
+
+    known = next((one for one in GRADEBOOKS if one == gradebook), None)
+    if known is None:
+        raise StudioError(
+            Sentence("`{name}` is no gradebook", gradebook), Sentence("it is {names}", one_of([*GRADEBOOKS]))
+        )
+    record = read_record(folder)
+    if record is None:
+        raise StudioError(
+            Sentence("there is no class in `{path}`", folder), Sentence("name the folder that has its `class.toml`")
+        )
+    made = marks_as_csv(known, record.pupils, read_gradebook_list(folder))
+    path = folder / f"marks-{known}.csv"
+    write_atomic(path, made.data)
+    print_data(f"{path}\n")
+    if not made.exercises:
+        print_message(Sentence("nothing is graded yet: press Grade on the teacher's page first"))
+    for name in made.unlisted:
+        print_message(Sentence("`{name}` is not in `{file}`, or more than once: look at this line", name, NAME))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from kitrobot.classroom.assignments import unpack
 from tests.patience import PATIENCE_S
 from tests.server.classes.conftest import KEY, SOCKET, SQUARE, hand_in, told
@@ -99,6 +101,44 @@ def test_the_class_is_graded_with_its_exercise(school):
             pass
     assert "Ada" in teacher.get("/api/class/teacher/grades").text
     assert (school.room.folder / "grades.csv").read_text("utf-8-sig").splitlines()[1].startswith("Ada,")
+    marks_reach_the_gradebook(teacher, school)
+    another_exercise_is_another_column(teacher, school)
+
+
+def marks_reach_the_gradebook(teacher, school) -> None:
+    (mark,) = school.room.pupils["Ada"].record.marks
+    assert (mark.exercise, mark.points) == (SQUARE, 0)
+    ben, _ = school.join("Ben")
+    wanted = {"folder": "Ada", "exercise": SQUARE, "text": "=Well\n\tdone"}
+    assert ben.post("/api/class/teacher/comment", json=wanted).status_code == 403
+    for wrong in ({"text": "x" * 501}, {"folder": "../Ada"}, {"exercise": "none"}):
+        assert teacher.post("/api/class/teacher/comment", json={**wanted, **wrong}).status_code == 422
+    assert teacher.post("/api/class/teacher/comment", json=wanted).json() is True
+    assert school.room.pupils["Ada"].record.marks == [replace(mark, comment="=Well done")]
+    (school.room.folder / "gradebook.csv").write_text("First name,Last name,Email address\nAda,King,ada@x\n")
+    found = teacher.get("/api/class/teacher/marks", params={"gradebook": "moodle"}).json()
+    assert (found["name"], found["exercises"], found["listed"], found["unlisted"]) == (
+        *("marks-moodle.csv", 1, True),
+        ["Ben"],
+    )
+    assert found["text"].splitlines()[1:] == ["ada@x,Ada King,0,'=Well done", "? Ben,Ben,-,"]
+    assert teacher.get("/api/class/teacher/marks", params={"gradebook": "../x"}).status_code == 422
+    (school.room.folder / "gradebook.csv").write_text("1,2\n")
+    refused = teacher.get("/api/class/teacher/marks", params={"gradebook": "canvas"})
+    assert refused.status_code == 422
+    assert "gradebook.csv" in refused.json()["message"]
+    (school.room.folder / "gradebook.csv").unlink()
+
+
+def another_exercise_is_another_column(teacher, school) -> None:
+    put_own_exercise(school)
+    teacher.post("/api/class/teacher/exercise", json={"exercise": "mine.exercise.xml"})
+    teacher.post("/api/class/teacher/grade", json={})
+    school.app.grading.wait(PATIENCE_S)
+    head, *lines = teacher.get("/api/class/teacher/marks", params={"gradebook": "sheet"}).json()["text"].splitlines()
+    assert head.startswith("\ufeffName,")
+    assert "My own (max " in head
+    assert [len(line.split(",")) for line in lines] == [5, 5]
 
 
 def test_pupils_get_nothing_of_an_exercise_that_is_hidden(school):

@@ -9,6 +9,10 @@ import type * as server from "./generated";
 import { type Silence, watchSilence } from "./silence";
 import { token } from "./token";
 
+/** What marks are written for. */
+export const GRADEBOOKS = ["moodle", "canvas", "sheet"] as const;
+export type Gradebook = (typeof GRADEBOOKS)[number];
+
 interface Asked {
   method?: "GET" | "POST" | "PUT";
   json?: unknown;
@@ -77,6 +81,8 @@ export const classApi = {
   handOut: (path: string, to: readonly string[] | null) =>
     ask<server.TeacherHandedOut>("/teacher/hand-out", post({ path, to })),
   write: (folder: string, text: string) => ask<boolean>("/teacher/note", post({ folder, text })),
+  comment: (folder: string, exercise: string, text: string) =>
+    ask<boolean>("/teacher/comment", post({ folder, exercise, text })),
   handDown: (folder: string) => ask<boolean>("/teacher/hand-down", post({ folder })),
   turn: (folder: string, asks: boolean) => ask<boolean>("/teacher/turn", post({ folder, ask: asks })),
   add: (name: string) => ask<server.TeacherPupil>("/teacher/add", post({ name })),
@@ -88,6 +94,7 @@ export const classApi = {
   collect: (folders: readonly string[] | null) => bytes(`/teacher/collect${chosen(folders)}`),
   table: () => bytes("/teacher/table"),
   grade: (folders: readonly string[] | null) => ask<number>("/teacher/grade", post({ folders })),
+  marks: (gradebook: Gradebook) => ask<server.TeacherMarks>(`/teacher/marks?gradebook=${gradebook}`),
   grades: () => bytes("/teacher/grades"),
 };
 

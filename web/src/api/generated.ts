@@ -742,6 +742,13 @@ export type LookMessage = { type: "look"; folder: string };
 export type LookRequest = { type: "look"; agents: string[] };
 
 /**
+ * A mark of one exercise. Attributes: exercise: the name of the exercise in the class. label: what it is called, in
+ * English. points: what was earned, from 0 to `of`; None before it is graded, and where the work cannot be judged. of:
+ * the points of all its goals; 0 while it is not known. comment: what the teacher wrote, on one line; "" for nothing.
+ */
+export type Mark = { exercise: string; label: string; points: number | null; of: number; comment: string };
+
+/**
  * What a number means. `scale`: how many units one is, a decimal number above 0 or `WAIT_UNIT`. `units`: the unit in
  * other languages than English, whose word stands beside the number.
  */
@@ -1062,7 +1069,8 @@ export type ProjectionSpan = { program: string; vertex: string; start: number; e
 
 /**
  * A pupil as the overview shows them; `seconds` is how long the state lasts, where that counts. `version` is another
- * one with each picture, 0 while there is none; `frozen`: this pupil is to look up, alone or with everybody.
+ * one with each picture, 0 while there is none; `frozen`: this pupil is to look up, alone or with everybody; `mark`: of
+ * the exercise of the class.
  */
 export interface Pupil {
   folder: string;
@@ -1078,11 +1086,12 @@ export interface Pupil {
   pages: number;
   frozen: boolean;
   turn: "pupil" | "asked" | "teacher";
+  mark: Mark | null;
 }
 
 /**
  * What the pupil's page is to know. `handed` and `note` count: a higher number is a new one. `turn`: who edits, or that
- * the teacher asks to.
+ * the teacher asks to. `comments`: what the teacher wrote on exercises, by their names.
  */
 export interface PupilNewsMessage {
   type: "pupil";
@@ -1098,6 +1107,7 @@ export interface PupilNewsMessage {
   looked: boolean;
   hand: boolean;
   turn: "pupil" | "asked" | "teacher";
+  comments: Record<string, string>;
 }
 
 /** Pupils that changed since the last message, and who is gone; `kept_s`: seconds since work came in last. */
@@ -1493,6 +1503,12 @@ export type TeacherHandedOut = { name: string; pupils: number };
 
 /** The last lines of the log, the newest first. */
 export type TeacherLog = { lines: string[] };
+
+/**
+ * The marks as CSV: the name of the file and its text, how many exercises, and whom the gradebook's list lacks.
+ * `listed`: there is such a list.
+ */
+export type TeacherMarks = { name: string; text: string; exercises: number; listed: boolean; unlisted: string[] };
 
 /** What a teacher wants to know of a tutorial: its aim, how long it takes, what goes wrong, what to ask after it. */
 export interface TeacherPage {

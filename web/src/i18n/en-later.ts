@@ -56,6 +56,7 @@ export const LATER_EN = {
   "exercise.after-one": "After one run; Judge looks at every run.",
   "exercise.after-run": "After the run with seed {seed}; Judge looks at every run.",
   "exercise.changed": "The mission has changed since then.",
+  "exercise.comment": "Your teacher: {text}",
   "exercise.judged": { one: "Judged in {count} run.", other: "Judged in {count} runs." },
   "exercise.all-done": "Every goal is reached. Well done!",
   "exercise.stopped": "Judging was stopped.",

@@ -19,16 +19,26 @@ export function readRemembered(text: string | null): Remembered | null {
 }
 
 interface OpenExercise {
+  /** What a teacher wrote on exercises, by their names. */
+  comments: Readonly<Record<string, string>>;
   open: Remembered | null;
   /** Whether each goal is reached, null where that is not known, and why not. */
   goals: readonly { reached: boolean | null; why: string }[];
 }
 
 /** The exercise that is open; the panel, which is fetched later, shows it. */
-export const useOpenExercise = create<OpenExercise>(() => ({ open: readRemembered(readStored(KEY)), goals: [] }));
+export const useOpenExercise = create<OpenExercise>(() => ({
+  open: readRemembered(readStored(KEY)),
+  goals: [],
+  comments: {},
+}));
 
 export function setGoals(goals: OpenExercise["goals"]): void {
   useOpenExercise.setState({ goals });
+}
+
+export function setComments(comments: OpenExercise["comments"]): void {
+  useOpenExercise.setState({ comments });
 }
 
 export function remember(open: Remembered | null): void {

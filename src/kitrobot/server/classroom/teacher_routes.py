@@ -12,19 +12,23 @@ from fastapi import Depends, Query, Request, Response
 from kitrobot.classroom.admission import Admission
 from kitrobot.classroom.archive import ClassArchive, build_archive, table
 from kitrobot.classroom.class_room import ClassError
-from kitrobot.classroom.exercises import hand_out_exercise
+from kitrobot.classroom.exercises import exercise_label, hand_out_exercise
+from kitrobot.classroom.gradebook_list import read_gradebook_list
+from kitrobot.classroom.gradebook_tables import Gradebook, marks_as_csv
 from kitrobot.classroom.grading_queue import ClassGrader
 from kitrobot.classroom.messages import (
     ClassPictureShape,
     TeacherAddShape,
     TeacherAnswerShape,
     TeacherCodeShape,
+    TeacherCommentShape,
     TeacherExerciseShape,
     TeacherFreezeShape,
     TeacherGradeShape,
     TeacherHandedOutShape,
     TeacherHandOutShape,
     TeacherLogShape,
+    TeacherMarksShape,
     TeacherNoteShape,
     TeacherPlacesShape,
     TeacherPupilShape,
@@ -127,6 +131,14 @@ def note(actions: ThisActions, room: ThisRoom, wanted: TeacherNoteShape) -> bool
     return True
 
 
+@teacher_routes.post("/comment")
+def comment(actions: ThisActions, room: ThisRoom, studio: ThisStudio, wanted: TeacherCommentShape) -> bool:
+    """Writes a line on a pupil's work of an exercise."""
+    label = exercise_label(studio, wanted.exercise)
+    actions.comment(_one(room, wanted.folder), wanted.exercise, label, wanted.text)
+    return True
+
+
 @teacher_routes.post("/hand-down")
 def hand_down(room: ThisRoom, wanted: TeacherPupilShape) -> bool:
     """The teacher was there."""
@@ -209,3 +221,18 @@ def grade(grading: TheGrading, wanted: TeacherGradeShape) -> int:
 def grades(grading: TheGrading) -> Response:
     """The page that grading wrote last."""
     return Response(grading.page(), media_type="text/html; charset=utf-8")
+
+
+@teacher_routes.get("/marks")
+def marks(room: ThisRoom, gradebook: Gradebook) -> TeacherMarksShape:
+    """The marks of all pupils as CSV, in the form of that gradebook."""
+    listed = read_gradebook_list(room.folder)
+    with room.lock:
+        made = marks_as_csv(gradebook, room.record.pupils, listed)
+    return TeacherMarksShape(
+        name=f"marks-{gradebook}.csv",
+        text=made.data.decode(),
+        exercises=made.exercises,
+        listed=bool(listed),
+        unlisted=list(made.unlisted),
+    )

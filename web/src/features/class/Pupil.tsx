@@ -15,6 +15,7 @@ import "./class.css";
 const WORDS: Record<Offer["kind"], (words: string) => string> = {
   handed: (name) => t("class.sent", { name }),
   exercise: (name) => t("class.exercise-sent", { name }),
+  comment: (words) => t("class.comment", { text: words }),
   note: (words) => t("class.note", { text: words }),
 };
 
@@ -22,7 +23,7 @@ function OfferRow({ offer }: { offer: Offer }) {
   const { open } = offer;
   return (
     <div className="banner banner-note row rigid" role="status" data-testid={`class-${offer.kind}`}>
-      <Icon name={offer.kind === "note" ? "message-circle" : "send"} size={18} />
+      <Icon name={offer.open === null ? "message-circle" : "send"} size={18} />
       <p dir="auto">{WORDS[offer.kind](offer.words)}</p>
       {open === null ? null : (
         <Button

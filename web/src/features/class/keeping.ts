@@ -17,12 +17,12 @@ import { t } from "../../i18n/words";
 import { text } from "../../model/texts";
 import type { Mission } from "../../model/types";
 import { complain, shownName, whenReady } from "../../session/document";
-import { remember as rememberExercise, useOpenExercise } from "../../session/open-exercise";
+import { remember as rememberExercise, setComments, useOpenExercise } from "../../session/open-exercise";
 import { beginMission, openPath } from "../../session/open-requests";
 import { useRun } from "../../session/run";
 import { tellArena } from "./arena";
 import { type Memory, type Place, placeFor, readMemory } from "./kept";
-import { leaveFiles } from "./left";
+import { forgetKept, leaveFiles } from "./left";
 import { readStored, writeStored } from "../../ui/stored";
 
 const QUIET_MS = 1200;
@@ -32,7 +32,7 @@ const REPORT_MS = 700;
 const KEY = "kitrobot.class.kept";
 
 export interface Offer {
-  kind: "handed" | "exercise" | "note";
+  kind: "handed" | "exercise" | "note" | "comment";
   words: string;
   open: (() => void) | null;
 }
@@ -228,6 +228,8 @@ class PupilSync {
   }
 
   async #obey(news: PupilNewsMessage): Promise<void> {
+    setComments(news.comments);
+    this.#offerComment(news.comments);
     if (!this.#memory.begun) {
       await this.#beginFirst(news);
       return;
@@ -245,6 +247,18 @@ class PupilSync {
       this.#keepMemory({ note: news.note });
       if (news.note_text !== "") offer({ kind: "note", words: news.note_text, open: null });
     } else if (news.note < this.#memory.note) this.#keepMemory({ note: news.note });
+  }
+
+  /** A new comment is offered where the exercise that it is on, which shows it, is not open. */
+  #offerComment(comments: Readonly<Record<string, string>>): void {
+    const known = this.#memory.comments;
+    const fresh = Object.entries(comments).find(([exercise, words]) => known[exercise] !== words);
+    if (fresh === undefined && Object.keys(known).length === Object.keys(comments).length) return;
+    this.#keepMemory({ comments: { ...comments } });
+    if (fresh === undefined) return;
+    const { open } = useOpenExercise.getState();
+    if (open?.name !== fresh[0] || open.path !== useStudio.getState().file.path)
+      offer({ kind: "comment", words: fresh[1], open: null });
   }
 
   /** Lets the teacher edit, once the class has what is open here; or not, or not any more. */
@@ -304,7 +318,10 @@ class PupilSync {
 
   /** The pupil goes. What the class does not have yet stays in this browser. */
   goAway(): void {
-    if (this.#waiting === null && this.#memory.waiting === null) leaveFiles();
+    if (this.#waiting === null && this.#memory.waiting === null) {
+      leaveFiles();
+      forgetKept(storageName());
+    }
     leaveClass();
   }
 

@@ -17,6 +17,7 @@ test("what is remembered is read, and what makes no sense is not", () => {
     handed: 3,
     exercise: "x",
     note: 1,
+    comments: { x: "Good" },
   };
   expect(readMemory(JSON.stringify(whole))).toEqual(whole);
   expect(readMemory('{"places":{"a":1},"waiting":{"shown":"a"},"handed":"x"}')).toEqual(NOTHING);

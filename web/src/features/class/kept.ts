@@ -23,9 +23,19 @@ export interface Memory {
   handed: number;
   exercise: string;
   note: number;
+  /** By the exercise. */
+  comments: Record<string, string>;
 }
 
-export const NOTHING: Memory = { places: {}, waiting: null, begun: false, handed: 0, exercise: "", note: 0 };
+export const NOTHING: Memory = {
+  places: {},
+  waiting: null,
+  begun: false,
+  handed: 0,
+  exercise: "",
+  note: 0,
+  comments: {},
+};
 
 function isPlace(value: unknown): value is Place {
   if (typeof value !== "object" || value === null) return false;
@@ -36,7 +46,7 @@ function isPlace(value: unknown): value is Place {
 /** What was remembered, as far as it makes sense. */
 export function readMemory(text: string | null): Memory {
   const found = parseStored(text);
-  const { places, waiting, begun, handed, exercise, note } = (
+  const { places, waiting, begun, handed, exercise, note, comments } = (
     typeof found === "object" && found !== null ? found : {}
   ) as Record<string, unknown>;
   const known =
@@ -53,6 +63,11 @@ export function readMemory(text: string | null): Memory {
     handed: typeof handed === "number" ? handed : 0,
     exercise: typeof exercise === "string" ? exercise : "",
     note: typeof note === "number" ? note : 0,
+    comments: Object.fromEntries(
+      Object.entries(typeof comments === "object" && comments !== null ? comments : {}).filter(
+        (one): one is [string, string] => typeof one[1] === "string",
+      ),
+    ),
   };
 }
 

@@ -2,7 +2,7 @@
 import { afterEach, expect, test, vi } from "vitest";
 
 import { homeOf } from "../../api/home";
-import { forgetLeft, leaveFiles } from "./left";
+import { forgetKept, forgetLeft, leaveFiles } from "./left";
 
 vi.mock("../../api/token", () => ({ pupilName: () => "Ada's key" }));
 
@@ -49,4 +49,11 @@ test("a pupil whose studio is at the teacher's leaves nothing behind", () => {
   leaveFiles();
   forgetLeft();
   expect(deleteDatabase).not.toHaveBeenCalled();
+});
+
+test("what the page of a pupil who left remembered is forgotten, that of another stays", () => {
+  localStorage.setItem("kept.ada", "{}");
+  localStorage.setItem("kept.ben", "{}");
+  forgetKept("kept.ada");
+  expect([localStorage.getItem("kept.ada"), localStorage.getItem("kept.ben")]).toEqual([null, "{}"]);
 });

@@ -18,6 +18,15 @@ export function leaveFiles(): void {
   }
 }
 
+/** Forgets what the page of this pupil remembered, comments too: who comes back gets another key, and begins anew. */
+export function forgetKept(name: string): void {
+  try {
+    localStorage.removeItem(name);
+  } catch {
+    // No storage, nothing remembered.
+  }
+}
+
 /** Deletes what was left. */
 export function forgetLeft(): void {
   try {

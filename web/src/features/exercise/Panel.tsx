@@ -70,6 +70,7 @@ function basisWords(): string {
 export function ExercisePanel() {
   const { marks, busy } = useExercise();
   const open = useOpenExercise((state) => state.open);
+  const comments = useOpenExercise((state) => state.comments);
   const path = useStudio((studio) => studio.file.path);
   const section = useRef<HTMLElement>(null);
   useEffect(keepExercise, []);
@@ -81,6 +82,7 @@ export function ExercisePanel() {
     if (name !== undefined) section.current?.focus();
   }, [name]);
   if (shown === null) return null;
+  const comment = comments[shown.name];
   const done = marks.filter(({ state }) => state === "reached").length;
   const said = basisWords();
   return (
@@ -116,6 +118,12 @@ export function ExercisePanel() {
         />
       </header>
       <p className="exercise-help">{text(shown.help)}</p>
+      {comment === undefined ? null : (
+        <p className="exercise-comment row" role="status" data-testid="exercise-comment">
+          <Icon name="message-circle" size={16} />
+          <span dir="auto">{t("exercise.comment", { text: comment })}</span>
+        </p>
+      )}
       <ol className="exercise-goals plain-list">
         {shown.goals.map((goal, at) => (
           <Goal key={at} at={at} label={text(goal.label)} mark={marks[at] ?? OPEN} />

@@ -6,6 +6,7 @@ import { Icon, type ThemeChoice, useTheme } from "../../../theme";
 import { download } from "../../../ui/download";
 import { type MenuEntry, menuItem } from "../../../ui/menu-model";
 import { MenuButton } from "../../../ui/MenuButton";
+import { MarksTool } from "./MarksTool";
 import type { SheetName } from "./Sheets";
 import { act, freeze, useDesk } from "./store";
 
@@ -165,6 +166,7 @@ export function Head({ open, folders, here, away }: HeadProps) {
           {some === null ? t("teacher.collect") : t("teacher.collect-some", { count: some })}
         </button>
         <GradeTool folders={folders} />
+        <MarksTool />
         <span className="tool-line rigid" />
         <button type="button" className="tool tool-named rigid" data-testid="add" onClick={() => open("add")}>
           <Icon name="user-plus" size={18} />

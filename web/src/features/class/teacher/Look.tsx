@@ -18,6 +18,7 @@ import { Icon, useTheme } from "../../../theme";
 import { Button } from "../../../ui/Button";
 import { Tool } from "../../../ui/Tool";
 import { codeWords } from "./JoinCard";
+import { Comment } from "./Comment";
 import { stateWords } from "./order";
 import { act, freeze, look, say, useDesk } from "./store";
 
@@ -244,6 +245,15 @@ export function Look({ now }: { now: number }) {
       )}
       <Arena name={name} />
       <Goals folder={folder} />
+      {news.exercise === "" ? null : (
+        <Comment
+          key={`${folder} ${news.exercise}`}
+          folder={folder}
+          name={name}
+          exercise={news.exercise}
+          mark={one.pupil.mark}
+        />
+      )}
       <div className="class-look-more row wrap rigid">
         <Turn folder={folder} copy={copy} />
         {file === "" ? null : (

@@ -21,6 +21,7 @@ function pupil(name: string, more: Partial<Pupil> = {}): Pupil {
     pages: 1,
     frozen: false,
     turn: "pupil",
+    mark: null,
   };
   return { ...plain, ...more };
 }

@@ -70,8 +70,8 @@ export function fail(cause: unknown): void {
   set({ said: { words: cause instanceof Error ? cause.message : String(cause), help } });
 }
 
-export function say(words: string): void {
-  set({ said: { words, help: "" } });
+export function say(words: string, help = ""): void {
+  set({ said: { words, help } });
 }
 
 /** Does it, and says why when it could not be done. */
