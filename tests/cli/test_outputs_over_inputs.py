@@ -103,6 +103,7 @@ ONLY_READ = {
     "exercise",
     "file",
     "files",
+    "firmware",
     "inputs",
     "key",
     "mission",
