@@ -97,14 +97,14 @@ def explain_verdict(
     if found is None:
         return None
     avoidance = found.avoidance
-    told = RunExplanation(
+    explanation = RunExplanation(
         describe_explanation(model, verdict.property, found.run, avoidance),
         avoidance.certainty,
         avoidance.step,
         found.left_out,
         _other_way(model, found, draws),
     )
-    return replace(verdict, counterexample=found.run), found, told
+    return replace(verdict, counterexample=found.run), found, explanation
 
 
 def _other_way(model: Model, found: Explanation, draws: bool) -> OtherWay | None:
@@ -131,7 +131,7 @@ def place_explanation(
     model: Model,
     found: Explanation,
     verdict: Verdict,
-    told: RunExplanation,
+    explanation: RunExplanation,
     confirmed: ConfirmedRun,
     fresh: Callable[[int], Simulation],
     stop: Callable[[], bool],
@@ -139,10 +139,10 @@ def place_explanation(
     """An explanation with its moment in the run of the simulator that confirms it."""
     run, step = found.run, found.avoidance.step
     if not 0 <= step < len(run.steps):
-        return told
+        return explanation
     events = decisive_events(run, found.avoidance)
     return replace(
-        told,
+        explanation,
         tick=find_run_moment(model, run, step, events, confirmed, fresh, stop),
         without_failures=find_run_without_failures(verdict.property, confirmed, fresh, stop),
     )

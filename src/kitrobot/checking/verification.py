@@ -295,10 +295,10 @@ def _finding(verdict: Verdict, model: Model, options: VerificationOptions) -> Fi
     """A verdict with its run in words."""
     if verdict.counterexample is None:
         return Finding(verdict)
-    return _told(Finding(verdict, searched=not (options.confirms or options.explains)), model, options)
+    return _describe_finding(Finding(verdict, searched=not (options.confirms or options.explains)), model, options)
 
 
-def _told(finding: Finding, model: Model, options: VerificationOptions) -> Finding:
+def _describe_finding(finding: Finding, model: Model, options: VerificationOptions) -> Finding:
     """A finding of something broken with its run in words, and in pictures where they are wanted."""
     verdict = finding.verdict
     assert verdict.counterexample is not None, "it is broken"
@@ -345,7 +345,7 @@ class _Search:
         if explained is None:
             return self._confirm(finding, model, stop) if options.confirms else replace(finding, searched=True)
         verdict, found, why = explained
-        made = _told(replace(finding, verdict=verdict, why=why), model, options)
+        made = _describe_finding(replace(finding, verdict=verdict, why=why), model, options)
         if not options.confirms:
             return replace(made, searched=True)
         made = self._confirm(made, model, stop)

@@ -8,6 +8,10 @@ from typing import Annotated
 import typer
 
 MissionFile = Annotated[Path, typer.Argument(metavar="FILE.krt", help="The mission.", show_default=False)]
+WATCH_HELP = (
+    "Watch for a property that breaks, a name or text such as `never any carrier (Collision.IsPressed())`; "
+    "may be given again. Without it: the mission's own."
+)
 RunSeconds = Annotated[float, typer.Option(help="Simulated seconds after which the run is out of time.")]
 Jobs = Annotated[int | None, typer.Option(metavar="N", min=1, help="In so many processes; else one for each core.")]
 ResultAsJson = Annotated[bool, typer.Option("--json", help="Give the result as one JSON object.")]

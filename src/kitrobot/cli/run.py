@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from kitrobot.cli.options import MissionFile, ResultAsJson, RunSeconds
+from kitrobot.cli.options import WATCH_HELP, MissionFile, ResultAsJson, RunSeconds
 from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_message
 from kitrobot.diagnostics.read_files import expect_outputs
 
@@ -62,8 +62,7 @@ Watch = Annotated[
     typer.Option(
         "--watch",
         metavar="[PROPERTY]",
-        help="Watch for a property that breaks, a name or text such as `never any carrier (Collision.IsPressed())`; "
-        "may be given again. Without it: the mission's own. A sweep then says in which runs it breaks.",
+        help=f"{WATCH_HELP} A sweep then says in which runs it breaks.",
         show_default=False,
     ),
 ]
@@ -157,13 +156,13 @@ def _sweep(
     sweep_mission(prepared, SweepOptions(moments, pairs, jobs), picture, as_json)
 
 
-def watched_properties(prepared: PreparedRun, watched: Sequence[str] | None) -> list[str]:
+def watched_properties(prepared: PreparedRun, watched: Sequence[str]) -> list[str]:
     """The questions of `--watch`, with the mission's own properties in the place of one without a value."""
     own = [one.name for one in prepared.opened.mission.properties]
-    if "" in (watched or ()) and not own:
+    if "" in watched and not own:
         words = "the mission has no properties of its own; name one"
         raise typer.BadParameter(words, param_hint="'--watch'")
-    return [name for question in watched or () for name in ([question] if question else own)]
+    return [name for question in watched for name in ([question] if question else own)]
 
 
 def _watch_of(prepared: PreparedRun, questions: list[str]) -> RunWatch:

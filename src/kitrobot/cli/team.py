@@ -24,7 +24,7 @@ from kitrobot.cli.agent import (
     log_event,
     prepare_team_run,
 )
-from kitrobot.cli.options import MissionFile, ResultAsJson, RunSeconds
+from kitrobot.cli.options import WATCH_HELP, MissionFile, ResultAsJson, RunSeconds
 from kitrobot.cli.output import json_text, print_data, print_diagnostics
 from kitrobot.cli.run import watched_properties
 from kitrobot.diagnostics.read_files import note_read
@@ -60,8 +60,7 @@ Watch = Annotated[
     typer.Option(
         "--watch",
         metavar="[PROPERTY]",
-        help="Watch for a property that breaks, a name or text such as `never any carrier (Collision.IsPressed())`; "
-        "may be given again. Without it: the mission's own.",
+        help=WATCH_HELP,
         show_default=False,
     ),
 ]
@@ -136,13 +135,13 @@ def _run_to_end(prepared: PreparedRun, plan: FleetPlan, watched: list[str], stop
     watch = _watch_of(prepared, recorder.header, watched)
     stop = watch if stops else None
     with Agents() as agents, emergency_stop() as pressed, recording(prepared, recorder, watch) as on_step:
-        told = FleetCallbacks(
+        callbacks = FleetCallbacks(
             log_event,
             lambda: _is_over(pressed, stop),
             on_step,
             stop_sentence=lambda: _stop_sentence(pressed, stop),
         )
-        run = run_fleet(simulation, plan, agents, told)
+        run = run_fleet(simulation, plan, agents, callbacks)
     _print_result(simulation, run, watch.judgements() if watch is not None else [], as_json)
     if pressed.is_set() and run.outcome == "stopped":
         raise typer.Exit(130)
@@ -150,7 +149,7 @@ def _run_to_end(prepared: PreparedRun, plan: FleetPlan, watched: list[str], stop
         raise typer.Exit(1)
 
 
-def _watch_of(prepared: PreparedRun, header: TraceHeader, watched: list[str] | None) -> FleetWatch | None:
+def _watch_of(prepared: PreparedRun, header: TraceHeader, watched: list[str]) -> FleetWatch | None:
     """What watches for properties; None where none is watched."""
     if not watched:
         return None

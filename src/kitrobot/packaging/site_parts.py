@@ -62,12 +62,12 @@ def _pyodide_in(places: Sequence[Path]) -> Path:
     for place in places:
         for folder in (place, place / "pyodide", place / "node_modules" / "pyodide"):
             try:
-                told = json.loads((folder / "package.json").read_bytes())
+                package = json.loads((folder / "package.json").read_bytes())
             except (OSError, ValueError):
                 continue
-            if not isinstance(told, dict) or told.get("name") != "pyodide":
+            if not isinstance(package, dict) or package.get("name") != "pyodide":
                 continue
-            found = str(told.get("version"))
+            found = str(package.get("version"))
             if found == PYODIDE and all((folder / name).is_file() for name in RUNTIME):
                 return folder
     if found:

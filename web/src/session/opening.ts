@@ -19,7 +19,7 @@ import {
 } from "./document";
 import { earlyWorkOn } from "./early-work";
 import { claim, keepOpen, openWith } from "./journal";
-import { recover } from "./journal-records";
+import { type Recovered, recover } from "./journal-records";
 import { begin as play } from "./recordings";
 import { useRun } from "./run";
 import { holdParts } from "./world-files";
@@ -40,11 +40,11 @@ export function drawAhead(file: MissionFile, history?: History): void {
   drawnAhead();
 }
 
-/** Whether a mission is the one that was drawn ahead, and stays as it is now: nothing newer is known of it. */
-function staysDrawn({ path, revision }: MissionFile, claimed: ClaimedJournal | null): boolean {
+/** Whether a mission is the one that was drawn ahead, and stays as it is now: nothing newer was kept of it. */
+function staysDrawn({ path, revision }: MissionFile, kept: Recovered | null): boolean {
   const { file, canUndo, canRedo } = useStudio.getState();
   const same = useDocument.getState().ahead && file.path === path && file.revision === revision;
-  return same && (canUndo || canRedo || recover(claimed?.records ?? []) === null);
+  return same && (canUndo || canRedo || kept === null);
 }
 
 /** The mission that was drawn ahead becomes the open one: what is selected, dragged or typed there goes on. */
@@ -57,11 +57,12 @@ function openDrawn(file: MissionFile): void {
 
 /** Opens a mission with what its journal holds, as far as that is still of use. */
 function resume(file: MissionFile, claimed: ClaimedJournal | null): void {
-  if (staysDrawn(file, claimed)) {
+  const kept = recover(claimed?.records ?? []);
+  if (staysDrawn(file, kept)) {
     openDrawn(file);
     return;
   }
-  const found = recover(claimed?.records ?? []) ?? earlyWorkOn(file);
+  const found = kept ?? earlyWorkOn(file);
   const unsaved = found !== null && isUnsaved(found.history);
   const back = found !== null && (unsaved || found.revision === file.revision) ? found : null;
   openWith(back?.history ?? null);

@@ -9,17 +9,17 @@
 const KEPT = /^(.|Backspace|Enter|Escape|Arrow[A-Z][a-z]+)$/u;
 
 /** A key, or text that was pasted. */
-type Held = KeyboardEvent | string;
+type KeyOrText = KeyboardEvent | string;
 
 /** Nothing is kept while there is no holder; the last one gets the keys. */
-const holders: Held[][] = [];
+const holders: KeyOrText[][] = [];
 
 function isEditable(element: Element | null): element is HTMLElement {
   return element instanceof HTMLElement && element.closest("input, textarea, [contenteditable=true]") !== null;
 }
 
 /** Text goes into a field as if it were typed; any other key, or a key for something else, is an event of its own. */
-function press(event: Held): void {
+function press(event: KeyOrText): void {
   const { activeElement } = document;
   if (typeof event === "string") document.execCommand("insertText", false, event);
   else if (isEditable(activeElement) && event.key.length === 1) document.execCommand("insertText", false, event.key);
@@ -57,7 +57,7 @@ if (typeof window !== "undefined") {
 
 /** Keeps keys from now on; the returned function presses them where the focus is then, or forgets them. */
 export function holdKeys(): (give: boolean) => void {
-  const keys: Held[] = [];
+  const keys: KeyOrText[] = [];
   let isGiven = false;
   holders.push(keys);
   const end = () => {

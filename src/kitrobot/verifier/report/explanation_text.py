@@ -41,8 +41,8 @@ def _what_happened(model: Model, one: Property, run: Counterexample) -> Sentence
     if not run.steps:
         return Sentence("the very first state breaks `{property}`", one.name)
     events = describe_any_step(model, run.states[-2], run.steps[-1])
-    told = events[-1:] if _has_events(model, run, len(run.steps) - 1) else events
-    return Sentence("{event}: this breaks `{property}`", _joined(told), one.name)
+    named = events[-1:] if _has_events(model, run, len(run.steps) - 1) else events
+    return Sentence("{event}: this breaks `{property}`", _joined(named), one.name)
 
 
 def _waiting(model: Model, run: Counterexample) -> Iterator[str]:
