@@ -36,6 +36,7 @@ export default defineConfig({
     environment: "jsdom",
     include: ["src/**/*.test.{ts,tsx}", "test/**/*.test.{ts,tsx}"],
     setupFiles: ["src/testing/english.ts"],
+    alias: [{ find: /^zustand$/, replacement: `${import.meta.dirname}/src/testing/zustand.ts` }],
     passWithNoTests: false,
     // Thousands of random edits take a second alone, and several where the machine has much else to do.
     testTimeout: 60_000,

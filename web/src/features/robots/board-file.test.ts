@@ -41,11 +41,11 @@ afterEach(() => {
 
 test("it is asked what the robot is built of, and the file is saved for that kit with what is said of it", async () => {
   const made = vi.spyOn(api, "boardFile").mockResolvedValue(MADE);
+  const { mission, file } = useStudio.getState();
   saveBoardFile();
   expect(made).not.toHaveBeenCalled();
   chooseKit(useKitQuestion.getState().asking?.address ?? "", "cutebot");
   await vi.waitFor(() => expect(useDocument.getState().banner).not.toBeNull());
-  const { mission, file } = useStudio.getState();
   const program = mission.programs[0]?.name ?? "";
   const asked = { mission, path: file.path, program, kit: "cutebot", firmware: "", firmware_name: "" };
   expect(made).toHaveBeenCalledWith(asked);
