@@ -61,7 +61,7 @@ def test_what_is_no_walk_is_refused(walking, asked: dict[str, Any], status: int,
 
 
 def test_a_mission_with_errors_says_why(walking) -> None:
-    text = LOOP.replace('<agent name="carrier-1"', '<agent name="carrier-2"')
+    text = LOOP.replace('<agent name="gate" program="gate"/>', '<agent name="gate" program="nobody"/>')
     assert text != LOOP
     said = walking(text)
     assert said.status_code == 422

@@ -55,7 +55,7 @@ async function walk(places: number[] = []): Promise<void> {
   await vi.waitFor(() => expect(hands.has("walk-state")).toBe(true));
 }
 
-const step = () => hands.find("walk-state").dataset.step;
+const step = () => hands.find("walk-state").dataset["step"];
 const isOff = (testId: string) => hands.find<HTMLButtonElement>(testId).disabled;
 
 test("each possible step is a button, failures apart, with what it breaks and where it leads back to", async () => {

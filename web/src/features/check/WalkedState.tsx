@@ -102,7 +102,13 @@ function State({ state, mission }: { state: StateWalk; mission: Mission }) {
         <Button icon="step-forward" testId="walk-on" disabled={busy || ordinary.length !== 1} onClick={goOn}>
           {t("walk.on")}
         </Button>
-        <Tool icon="rotate-cw" label={t("walk.anew")} testId="walk-anew" disabled={first} onClick={() => goBack(true)} />
+        <Tool
+          icon="rotate-cw"
+          label={t("walk.anew")}
+          testId="walk-anew"
+          disabled={first}
+          onClick={() => goBack(true)}
+        />
       </div>
       <h4>{possible.length === 0 ? t("walk.nothing") : t("walk.possible")}</h4>
       <Steps steps={ordinary} />
