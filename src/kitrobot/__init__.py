@@ -31,6 +31,7 @@ if TYPE_CHECKING:
         robot,
         save_mission,
         sweep,
+        walk,
     )
     from kitrobot.compiler.compilation import CompiledProgram
     from kitrobot.diagnostics.model import Diagnostic, KitRobotError
@@ -79,6 +80,7 @@ else:
             "robot",
             "save_mission",
             "sweep",
+            "walk",
         ),
         "compiler.compilation": ("CompiledProgram",),
         "diagnostics.model": (
@@ -208,6 +210,7 @@ __all__ = [
     "robot",
     "save_mission",
     "sweep",
+    "walk",
 ]
 
 

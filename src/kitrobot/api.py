@@ -17,6 +17,7 @@ from kitrobot.compiler.compilation import CompiledProgram, compile_lll, compile_
 from kitrobot.compiler.compilation import compile_program as compile_graph
 from kitrobot.compiler.program.checker import check
 from kitrobot.compiler.text.lll_to_graph import lll_to_graph
+from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.experiments.study import Study, choose_executor, sweep_mission
 from kitrobot.graph.model import Program
@@ -27,6 +28,7 @@ from kitrobot.mission.model import DEFAULT_SEED, Mission
 from kitrobot.mission.writer import save, write_mission
 from kitrobot.primitives.catalogue import load_catalogue
 from kitrobot.primitives.robot import Robot
+from kitrobot.text.phrases import listed, shown
 from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.mission_loader import OpenMission, read_mission_data
 from kitrobot.workspace.mission_loader import open_mission as open_file
@@ -37,6 +39,7 @@ from kitrobot.workspace.traces import OpenTrace
 if TYPE_CHECKING:
     from kitrobot.experiments.probability import Probability, Progress
     from kitrobot.judges.judgement import Judgement
+    from kitrobot.verifier.report.state_walk import StateWalk
 
 UNSAVED = "mission.krt"
 """What messages call a mission that is no file."""
@@ -242,6 +245,42 @@ def judge(
         *(limits.get("moments", 20), limits.get("jobs", 1)),
     )
     return list(judge_mission(prepared, questions, chosen))
+
+
+def walk(
+    mission: str | PathLike[str] | Mission | OpenMission,
+    *,
+    timing: str = "free",
+    failures: int = 0,
+) -> StateWalk:
+    """A walk by hand through the states that a check explores, standing in the first one.
+
+    Args:
+        mission: as of `open_mission`, or what that gave.
+        timing: when agents tick: `free` (whenever), `prompt` (each between two events) or `lockstep` (all at once).
+        failures: how many robots may fail, 0 to 3.
+
+    Raises:
+        ProblemsError: the mission has errors.
+        KitRobotError: it cannot be checked, or a number or a name makes no sense.
+
+    Examples:
+        >>> import kitrobot
+        >>> walk = kitrobot.walk("passing-loop")
+        >>> [str(text) for text in walk.list_steps()[0].sentences]
+        ['carrier-1 goes on in its program', 'AskANorth = 1']
+        >>> walk.take_step(0)
+        >>> walk.go_back()
+    """
+    from kitrobot.checking.mission_walk import begin_walk
+    from kitrobot.verifier.model.timing import Timing
+    from kitrobot.workspace.mission_run import RunOptions
+
+    known = {one.value: one for one in Timing}
+    if timing not in known:
+        raise KitRobotError(Sentence("expected one of {known}, found {found}", listed(known), shown(str(timing))))
+    opened = mission if isinstance(mission, OpenMission) else open_mission(mission)
+    return begin_walk(opened.prepare(RunOptions(DEFAULT_SEED, 600.0)), known[timing], failures)
 
 
 def parse(text: str, name: str = "program.lll") -> ParseResult:

@@ -119,3 +119,12 @@ def test_execute_gives_a_tick_at_a_time():
     assert isinstance(first, kitrobot.ExecutionTick)
     assert (first.tick, first.variables["Count"], first.ended) == (0, 2, False)
     assert [tick.ended for tick in ticks] == [True, True]
+
+
+def test_a_walk_by_hand_refuses_a_timing_that_there_is_not():
+    walk = kitrobot.walk(kitrobot.open_mission("blink"), timing="lockstep")
+    assert walk.go_on() > 0
+    with pytest.raises(kitrobot.KitRobotError, match=r"expected one of .*free.*, found .*slow"):
+        kitrobot.walk("blink", timing="slow")
+    with pytest.raises(kitrobot.KitRobotError, match="0 to 3 failures"):
+        kitrobot.walk("blink", failures=9)

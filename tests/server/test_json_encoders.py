@@ -135,6 +135,11 @@ def journal(both: Both, method: str, path: str) -> Any:
         return both.post("journal", tab=tab, first=2, records=["c"], unsaved=True)
 
 
+def walk(both: Both, *places: int) -> Any:
+    path = "example:transport/transport.krt"
+    return both.post("walk", mission=both.mission(path), path=path, seed=1, timing="free", places=places)
+
+
 def again(both: Both, path: str) -> Any:
     asked = both.post("again", asked="0" * 64)
     if path == "again":
@@ -176,6 +181,10 @@ ASKED: dict[tuple[str, str], tuple[Asking, ...]] = {
             path="example:transport/transport.krt",
             name="all",
         ),
+    ),
+    ("POST", "/api/walk"): (
+        lambda both: walk(both, 0),
+        lambda both: walk(both, 9999),
     ),
     ("POST", "/api/again"): (lambda both: again(both, "again"),),
     ("POST", "/api/again/token"): (lambda both: again(both, "again/token"),),

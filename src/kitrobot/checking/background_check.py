@@ -79,6 +79,7 @@ class PropertyAnswer:
         confirmed: the run of the simulator that breaks it too, if one was found.
         searched: whether the simulator was looked through for one.
         scenes, guilty: the run as pictures, and where it is broken.
+        places: its steps as a walk by hand takes them; none before the simulator was looked through.
         why: why it is broken, once that is known.
     """
 
@@ -93,6 +94,7 @@ class PropertyAnswer:
     searched: bool = True
     scenes: tuple[Scene, ...] = ()
     guilty: tuple[Culprit, ...] = ()
+    places: tuple[int, ...] = ()
     why: RunExplanation | None = None
 
 
@@ -265,6 +267,7 @@ def _answered(finding: Finding) -> PropertyAnswer:
         finding.searched,
         finding.scenes,
         finding.guilty,
+        finding.places,
         finding.why,
     )
 

@@ -29,6 +29,7 @@ from kitrobot.verifier.properties.verdicts import Answer, CheckResult, Verdict, 
 from kitrobot.verifier.report.counterexample_text import free_readings
 from kitrobot.verifier.report.explanation import MOST_NODES
 from kitrobot.verifier.report.replay import ConfirmedRun, confirm, injected_faults
+from kitrobot.verifier.report.state_walk import find_places
 from kitrobot.verifier.report.storyboard import Culprit, Scene, draw_scenes, find_culprits
 from kitrobot.workspace.mission_run import PreparedRun
 
@@ -96,7 +97,8 @@ class Finding:
     """A verdict, with the run of the simulator that confirms it where one was found, and the model's run in words.
 
     `searched`: whether the simulator was looked through for such a run, and why it is broken was asked, or need not be.
-    `scenes`, `guilty`: the run as pictures, where they are wanted. `why`: why it is broken, where that is wanted.
+    `scenes`, `guilty`: the run as pictures, and `places`: its steps as a walk by hand takes them (`state_walk`), where
+    pictures are wanted. `why`: why it is broken, where that is wanted.
     """
 
     verdict: Verdict
@@ -105,6 +107,7 @@ class Finding:
     searched: bool = True
     scenes: tuple[Scene, ...] = ()
     guilty: tuple[Culprit, ...] = ()
+    places: tuple[int, ...] = ()
     why: RunExplanation | None = None
 
 
@@ -328,7 +331,12 @@ class _Search:
         broken = sum(not finding.searched for finding in findings)
         each = None if left is None else left / 2 / max(1, broken)
         for finding in findings:
-            yield finding if finding.searched else self._look_into(finding, model, states, each, until)
+            if finding.searched:
+                yield finding
+                continue
+            found = self._look_into(finding, model, states, each, until)
+            run = found.verdict.counterexample
+            yield replace(found, places=find_places(model, run)) if self._options.draws and run is not None else found
 
     def _look_into(
         self, finding: Finding, model: Model, states: int | None, seconds: float | None, until: float | None

@@ -62,6 +62,7 @@ from kitrobot.cli.studio import Studio, open_studio
 from kitrobot.cli.sweep import with_values
 from kitrobot.cli.team import run_team
 from kitrobot.cli.verify import verify_mission
+from kitrobot.cli.walk import walk_states
 from kitrobot.cli.watch import watch_board
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.diagnostics.read_files import recording_reads
@@ -100,6 +101,7 @@ app.command("class")(open_class)
 app.command("run")(run_mission)
 app.command("sweep")(sweep_missions)
 app.command("verify")(verify_mission)
+app.command("walk")(walk_states)
 app.command("judge")(judge_files)
 app.command("probability")(estimate_probability)
 app.command("grade")(grade_submissions)

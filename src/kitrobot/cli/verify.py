@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from kitrobot.checking.run_explanation import RunExplanation
     from kitrobot.checking.verification import Finding, Progress, Verification
     from kitrobot.mission.property_forms import AskedProperty
+    from kitrobot.mission.trial import FailureKind
     from kitrobot.verifier.exploration.budget import CutReason
     from kitrobot.verifier.model.timing import Timing
     from kitrobot.verifier.report.replay import ConfirmedRun
@@ -106,29 +107,25 @@ def verify_mission(
         print_judgements(judge_recordings(recordings, properties or (), file), as_json)
         return
     assert file is not None, "there is a file"
-    from kitrobot.checking.verification import MOST_FAILURES, VerificationOptions, verify
-    from kitrobot.verifier.model.table_builder import KINDS, USUAL_KINDS
+    from kitrobot.checking.verification import VerificationOptions, verify
     from kitrobot.verifier.model.timing import Timing
     from kitrobot.verifier.properties.verdicts import Answer
     from kitrobot.workspace.mission_loader import open_mission
     from kitrobot.workspace.mission_run import RunOptions
     from kitrobot.workspace.run_hints import FASTER
 
-    if not 0 <= failures <= MOST_FAILURES:
-        raise typer.BadParameter(f"a check takes 0 to {MOST_FAILURES} failures", param_hint="'--failures'")
     known = [one.value for one in Timing]
     _check_names(timings, known, "--timing")
-    if kinds and not failures:
-        raise typer.BadParameter("say with --failures how many there may be", param_hint="'--kind'")
-    befalls = {one.value: one for one in KINDS}
-    _check_names(kinds, befalls, "--kind")
+    befalls = read_kinds(failures, kinds)
     chosen = tuple(one for one in Timing if not timings or one.value in timings)
     names, asked = _read_properties(properties or ())
     prepared = open_mission(file).prepare(RunOptions(1, 600.0))
     print_diagnostics(prepared.problems, prepared.sources)
-    wanted = tuple(one for name, one in befalls.items() if name in kinds) if kinds else USUAL_KINDS
     options = VerificationOptions(
-        *(names, chosen, failures, wanted, most_states, seconds), memory=most_memory * _MEGA, explains=True, asked=asked
+        *(names, chosen, failures, befalls, most_states, seconds),
+        memory=most_memory * _MEGA,
+        explains=True,
+        asked=asked,
     )
     with _progress() as progress:
         made = verify(prepared, options, progress)
@@ -139,6 +136,24 @@ def verify_mission(
         raise typer.Exit(1)
     if Answer.NOT_FINISHED in made.answers:
         raise typer.Exit(3)
+
+
+def read_kinds(failures: int, kinds: Collection[str] | None) -> tuple[FailureKind, ...]:
+    """What a failure may be: the named kinds, else the usual ones.
+
+    Raises:
+        BadParameter: there are too many failures, none to be of a kind, or there is no such kind.
+    """
+    from kitrobot.checking.verification import MOST_FAILURES
+    from kitrobot.verifier.model.table_builder import KINDS, USUAL_KINDS
+
+    if not 0 <= failures <= MOST_FAILURES:
+        raise typer.BadParameter(f"a check takes 0 to {MOST_FAILURES} failures", param_hint="'--failures'")
+    if kinds and not failures:
+        raise typer.BadParameter("say with --failures how many there may be", param_hint="'--kind'")
+    befalls = {one.value: one for one in KINDS}
+    _check_names(kinds, befalls, "--kind")
+    return tuple(one for name, one in befalls.items() if name in kinds) if kinds else USUAL_KINDS
 
 
 def _read_properties(texts: Sequence[str]) -> tuple[tuple[str, ...], tuple[AskedProperty, ...]]:

@@ -134,7 +134,7 @@ class Simulation(RunView):
         self._images = {agent.image_name: images[agent.image_name].image for agent in self.members}
         self.debug = {agent.image_name: images[agent.image_name].debug for agent in self.members}
         """Where the instructions of each program came from; of a team's, those of each kind of robot."""
-        self._variables = shared.variables
+        self.shared_variables = shared.variables
         groups, works = list(team.groups) if team else (), [work.name for work in mission.team.works]
         self._event_text = EventText(world, self.members, shared.variables, self.state, groups, works)
         self._fault_plan = setup.tables.fault_plan
@@ -317,7 +317,7 @@ class Simulation(RunView):
                 did_you_mean(kind, FailureKind),
             )
         discard_reported_events(self.state)
-        if not has_event_room(self.state, 1 + len(self._variables)):
+        if not has_event_room(self.state, 1 + len(self.shared_variables)):
             raise KitRobotError(
                 Sentence("too much was done to this run between two steps"), Sentence("let it go on for a step")
             )

@@ -129,6 +129,7 @@ class CheckedPropertyShape(View):
     searched: bool
     scenes: tuple[Scene, ...]
     guilty: list[GuiltyShape]
+    places: tuple[int, ...]
     why: WhyShape | None
 
 

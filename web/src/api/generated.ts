@@ -306,6 +306,7 @@ export interface CheckedProperty {
   searched: boolean;
   scenes: Scene[];
   guilty: Guilty[];
+  places: number[];
   why: Why | null;
 }
 
@@ -1020,6 +1021,15 @@ export type Plan = { world: OwnWorld | null; problems: Problem[] };
  */
 export type Point = { kind: "part" | "vertex" | "button" | "panel" | "program" | "group"; name: string; inner: string };
 
+/** A step out of a state: see `kitrobot.verifier.report.state_walk.PossibleStep`. */
+export interface PossibleStep {
+  place: number;
+  sentences: string[];
+  is_failure: boolean;
+  returns_to: number;
+  breaks: string[];
+}
+
 /** A starter, and what its agents do in the first seconds. */
 export type Preview = { starter: string; run: RunPreview };
 
@@ -1395,6 +1405,32 @@ export interface StateMessage {
   sentence: string;
   hits: Hit[];
   problems: Problem[];
+}
+
+/**
+ * The state that a walk has come to, the last step to it, and the steps that are possible there. `more` is how many of
+ * them are left out at the end.
+ */
+export interface StateWalk {
+  places: number[];
+  happened: string[];
+  situation: string[];
+  shared: string[];
+  scene: Scene;
+  possible: PossibleStep[];
+  more: number;
+}
+
+/** Take these steps from the first state of a mission; with `goes_on`, then those to which there is no other. */
+export interface StateWalkAsk {
+  mission: Mission;
+  path: string;
+  seed: number;
+  timing: Timing;
+  failures?: number;
+  kinds?: ("fail" | "stall" | "mute")[];
+  places: number[];
+  goes_on?: boolean;
 }
 
 /** Go one tick while paused, or until `agent` stands at another vertex ("" for anybody); `back` into the past. */

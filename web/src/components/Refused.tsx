@@ -1,15 +1,13 @@
 /** Why the server did not do some work: the sentence, the first errors of the mission, and the way to all of them. */
-import type { WorkRefusedMessage } from "../api/generated";
 import { Said } from "../i18n/Said";
 import { t } from "../i18n/words";
 import { openDock } from "../session/dock";
 import { PROBLEMS } from "../session/problem-walk";
 import { Button } from "../ui/Button";
+import type { WhyRefused } from "./why-refused";
 import "./refused.css";
 
 const SHOWN_PROBLEMS = 3;
-
-export type WhyRefused = Pick<WorkRefusedMessage, "message" | "help" | "problems">;
 
 export function Refused({ refused }: { refused: WhyRefused | null }) {
   if (refused === null) return null;

@@ -118,13 +118,13 @@ def describe_event(model: Model, event: Event, after: State) -> Sentence:
     name = model.parts[event.agent].agent.name
     world = model.run.world
     if event.what is Move.ZONE:
-        return Sentence("{agent} comes to {place}", name, _place(model, event.agent, after))
+        return Sentence("{agent} comes to {place}", name, place_name(model, event.agent, after))
     if isinstance(event.what, Move):
         other = model.parts[event.other].agent.name if event.other >= 0 else ""
         if event.what is Move.BEGIN:
             return Sentence("{agent} begins to roll", name)
         if event.what is Move.HALT:
-            return Sentence("{agent} comes to stand at {place}", name, _place(model, event.agent, after))
+            return Sentence("{agent} comes to stand at {place}", name, place_name(model, event.agent, after))
         if event.what is Move.TOUCH:
             return Sentence("{agent} drives into {other}", name, other)
         if event.what is Move.CLOSER:
@@ -155,8 +155,8 @@ def describe_event(model: Model, event: Event, after: State) -> Sentence:
     return Sentence("{agent} has done what takes it longer", name)
 
 
-def _place(model: Model, agent: int, state: State) -> str:
-    """Where an agent is along its road: the millimetres of its zone."""
+def place_name(model: Model, agent: int, state: State) -> str:
+    """Where an agent on a road is: the road and the millimetres of its zone."""
     part = model.parts[agent]
     assert part.track is not None
     begin, end = part.track.zones.ends(model.zone(state, agent))

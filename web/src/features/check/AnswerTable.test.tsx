@@ -27,7 +27,7 @@ function column(place: number, cut: Cut): VerifyColumnMessage {
     depth: 3,
     cut,
     seconds: 1,
-    properties: [{ name: "stock", sentence: "no box is lost", answer, ...rest, scenes: [], guilty: [] }],
+    properties: [{ name: "stock", sentence: "no box is lost", answer, ...rest, scenes: [], guilty: [], places: [] }],
   };
 }
 

@@ -58,6 +58,7 @@ const BROKEN: CheckedProperty = {
   searched: true,
   scenes: [scene(0), scene(1), scene(2)],
   guilty: [],
+  places: [],
   why: WHY,
 };
 

@@ -14,6 +14,8 @@ import { useView } from "../../session/view";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
+import { USUAL } from "./kinds";
+import { beginWalk } from "./state-walk";
 import { StepArena } from "./StepArena";
 import { type Cell, guiltyMarks, otherRun, stretches } from "./table";
 import { assumptionWords } from "./Verdict";
@@ -35,7 +37,8 @@ export function BrokenRun({ cell }: { cell: Cell }) {
     place.current?.scrollIntoView({ block: "start" });
   }, []);
   const [showsOther, setShowsOther] = useState(false);
-  const mission = useCheck((check) => check.asked?.mission);
+  const asked = useCheck((check) => check.asked);
+  const mission = asked?.mission;
   const wrong = shown?.answer;
   useEffect(() => {
     if (wrong === undefined || mission === undefined) return;
@@ -50,7 +53,7 @@ export function BrokenRun({ cell }: { cell: Cell }) {
   useEffect(() => {
     if (first !== undefined) showVertex(first.program, first.vertex);
   }, [first?.program, first?.vertex]); // eslint-disable-line react-hooks/exhaustive-deps
-  if (shown === null || mission === undefined) return null;
+  if (shown === null || asked === null || mission === undefined) return null;
   const { answer, column } = shown;
   const other = showsOther ? (answer.why?.other ?? null) : null;
   return (
@@ -72,9 +75,26 @@ export function BrokenRun({ cell }: { cell: Cell }) {
       ) : answer.confirmed === null ? (
         <StepArena key="broken" run={answer} mission={mission} decided={answer.why?.step ?? -1} />
       ) : null}
+      {answer.places.length === 0 ? null : (
+        <p className="check-play row">
+          <Button
+            icon="step-forward"
+            testId="check-walk"
+            onClick={() => beginWalk(column, { ...asked, kinds: asked.kinds ?? USUAL }, placesBefore(answer))}
+          >
+            {t("walk.from-here")}
+          </Button>
+        </p>
+      )}
       <Story answer={answer} />
     </section>
   );
+}
+
+/** The steps of a run before the one that decided it; where none is known, before its last one. */
+function placesBefore({ places, why }: CheckedProperty): number[] {
+  const decided = why?.step ?? -1;
+  return places.slice(0, decided >= 0 ? decided : -1);
 }
 
 /** Brings a vertex into view, where the mission still has it. */

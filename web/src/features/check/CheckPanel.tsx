@@ -13,8 +13,10 @@ import { AnswerTable } from "./AnswerTable";
 import { BrokenRun } from "./BrokenRun";
 import { kindChoices, kindsOf, USUAL, valueOf } from "./kinds";
 import { Properties } from "./Properties";
+import { beginWalk, useStateWalk } from "./state-walk";
 import { assumptionWords, Limits, Verdict } from "./Verdict";
 import { answerAt, begin, breakOff, useCheck } from "./verifying";
+import { WalkedState } from "./WalkedState";
 import "./check.css";
 
 const FAILURES = ["0", "1", "2", "3"];
@@ -25,16 +27,21 @@ export function CheckPanel() {
   const refused = useCheck((check) => check.refused);
   const asked = useCheck((check) => check.asked);
   const open = useCheck((check) => check.open);
-  const shown = useCheck((check) => answerAt(check, check.open) !== null);
+  const answered = useCheck((check) => answerAt(check, check.open) !== null);
+  const walks = useStateWalk((walk) => walk.wanted !== null);
   return (
     <DockPanel id="check-panel" testId="check" title={t("check.title")} close={t("check.close")} tools={<Asking />}>
-      <div className="check-body" data-run={shown}>
+      <div className="check-body" data-run={walks || answered}>
         <div className="check-answers column">
           <Refused refused={refused} />
           {asked === null ? <p className="check-note check-what muted">{t("check.what")}</p> : <Answers />}
           <Properties />
         </div>
-        {shown && open !== null ? <BrokenRun key={`${String(open.row)} ${String(open.column)}`} cell={open} /> : null}
+        {walks ? (
+          <WalkedState />
+        ) : answered && open !== null ? (
+          <BrokenRun key={`${String(open.row)} ${String(open.column)}`} cell={open} />
+        ) : null}
       </div>
     </DockPanel>
   );
@@ -97,6 +104,14 @@ function Asking() {
       </Row>
       <Button icon="clipboard-check" type="submit" testId="check-begin" disabled={agents === 0}>
         {asked === null ? t("check.begin") : t("check.again")}
+      </Button>
+      <Button
+        icon="step-forward"
+        testId="walk-begin"
+        disabled={agents === 0}
+        onClick={() => beginWalk({ timing: "free", failures: readWhole(failures) ?? 0 })}
+      >
+        {t("walk.title")}
       </Button>
       {agents === 0 ? <span className="check-note muted">{t("check.nobody")}</span> : null}
     </form>

@@ -1,23 +1,19 @@
-/** A run of the model in its world, zone by zone: robots have dashed rings, since only the model has seen it. */
+/** A run of the model in its world, zone by zone. */
 import { type KeyboardEvent, useEffect, useState } from "react";
 
-import { WorldPicture } from "../../components/WorldPicture";
 import { mirrored } from "../../i18n/language";
 import { grouped } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
-import { shortName } from "../../model/short-name";
-import { useStudio } from "../../model/studio";
 import type { Mission } from "../../model/types";
-import { drawnWorld } from "../../model/world/drawn";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
+import { SceneArena } from "./SceneArena";
 import { type ModelRun, sceneAfter } from "./table";
+import { useWorldOf } from "./world";
 
 /** How long a step is shown while it plays. */
 const STEP_MS = 700;
-/** The radius of a ring, as a part of the world's width. */
-const RING = 0.045;
 
 interface Props {
   run: ModelRun;
@@ -27,7 +23,7 @@ interface Props {
 }
 
 export function StepArena({ run, mission, decided = -1 }: Props) {
-  const read = useStudio((studio) => studio.world);
+  const world = useWorldOf(mission);
   const [at, setAt] = useState(0);
   const [plays, setPlays] = useState(false);
   const { scenes } = run;
@@ -38,7 +34,6 @@ export function StepArena({ run, mission, decided = -1 }: Props) {
     const timer = setTimeout(() => (after === null ? setPlays(false) : setAt(after)), STEP_MS);
     return () => clearTimeout(timer);
   }, [plays, after]);
-  const world = mission.own_world == null ? read : drawnWorld(mission.own_world);
   const scene = scenes[at];
   if (world === null || scene === undefined || scenes.length < 2) return null;
 
@@ -57,33 +52,11 @@ export function StepArena({ run, mission, decided = -1 }: Props) {
     event.preventDefault();
     event.stopPropagation();
   };
-  const { width_mm: width, height_mm: height } = world;
-  const ring = Math.max(width, height) * RING;
   const said = run.events.filter(({ step }) => step === scene.step - 1);
   const repeats = run.repeats_from >= 0 && scene.step >= run.repeats_from;
   return (
     <div className="check-steps" data-testid="check-steps" data-step={scene.step}>
-      <div className="check-arena" style={{ aspectRatio: `${String(width)} / ${String(height)}` }}>
-        <WorldPicture world={world} agents={[]} />
-        <svg viewBox={`0 0 ${String(width)} ${String(height)}`} aria-hidden="true">
-          {scene.robots.map(({ x_mm: x, y_mm: y, heading_rad: turn }, robot) => (
-            <g
-              key={robot}
-              className="check-robot"
-              style={{ transform: `translate(${String(x)}px, ${String(height - y)}px)` }}
-            >
-              <circle r={ring} />
-              <path
-                d={`M${String(ring)} ${String(-ring / 3)}L${String(ring * 1.4)} 0L${String(ring)} ${String(ring / 3)}Z`}
-                transform={`rotate(${String((-turn * 180) / Math.PI)})`}
-              />
-              <text fontSize={ring} textAnchor="middle" dominantBaseline="central">
-                {shortName(mission.agents[robot]?.name ?? "").slice(0, 2)}
-              </text>
-            </g>
-          ))}
-        </svg>
-      </div>
+      <SceneArena scene={scene} mission={mission} world={world} />
       <div
         className="check-steps-row row small-text"
         role="group"

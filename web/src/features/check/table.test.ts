@@ -16,6 +16,7 @@ const BROKEN: CheckedProperty = {
   searched: true,
   scenes: [],
   guilty: [],
+  places: [],
   why: null,
 };
 

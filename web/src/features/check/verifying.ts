@@ -16,7 +16,7 @@ import type {
   WorkRefusedMessage,
 } from "../../api/generated";
 import { beginWork, type Work } from "../../api/work";
-import type { WhyRefused } from "../../components/Refused";
+import type { WhyRefused } from "../../components/why-refused";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { isHeldByRobots, playConfirming } from "../../session/confirming-run";

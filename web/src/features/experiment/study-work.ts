@@ -6,7 +6,6 @@
  */
 import { create } from "zustand";
 
-import { ApiError } from "../../api/client";
 import { experimentApi, type StudyPlace } from "../../api/experiments";
 import type {
   ExperimentAsk,
@@ -20,7 +19,7 @@ import type {
   WorkRefusedMessage,
 } from "../../api/generated";
 import { beginWork, type Work } from "../../api/work";
-import type { WhyRefused } from "../../components/Refused";
+import { type WhyRefused, whyRefused } from "../../components/why-refused";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { isHeldByRobotsOrFleet } from "../../session/confirming-run";
@@ -76,11 +75,6 @@ function hangUp(): void {
   work = null;
 }
 
-function whyNot(cause: unknown): WhyRefused {
-  if (cause instanceof ApiError) return { message: cause.message, help: cause.help, problems: [...cause.problems] };
-  return { message: String(cause), help: "", problems: [] };
-}
-
 function wasCalledOff(cause: unknown): boolean {
   return cause instanceof DOMException && cause.name === "AbortError";
 }
@@ -95,7 +89,7 @@ export async function fetchChoices(signal: AbortSignal): Promise<void> {
     const { study, busy } = useStudy.getState();
     if (newest !== undefined && study === null && busy === null) await openStudy(newest.study);
   } catch (cause) {
-    if (!wasCalledOff(cause)) set({ refused: whyNot(cause) });
+    if (!wasCalledOff(cause)) set({ refused: whyRefused(cause) });
   }
 }
 
@@ -104,7 +98,7 @@ export async function fetchPlan(asked: ExperimentAsk, signal: AbortSignal): Prom
   try {
     set({ plan: await experimentApi.plan(asked, signal), wrong: null });
   } catch (cause) {
-    if (!wasCalledOff(cause)) set({ plan: null, wrong: whyNot(cause) });
+    if (!wasCalledOff(cause)) set({ plan: null, wrong: whyRefused(cause) });
   }
 }
 
@@ -115,7 +109,7 @@ export async function openStudy(name: string): Promise<void> {
     set({ study, path, point: 0, runs: [], played: null, refused: null });
     await fetchRuns();
   } catch (cause) {
-    set({ refused: whyNot(cause) });
+    set({ refused: whyRefused(cause) });
   }
 }
 
@@ -140,7 +134,7 @@ async function fetchRuns(): Promise<void> {
     // Another study, or another point of it, may have been chosen meanwhile.
     if (now.study?.study === study.study && (isSmall(study) || now.point === point)) set({ runs });
   } catch (cause) {
-    set({ refused: whyNot(cause) });
+    set({ refused: whyRefused(cause) });
   }
 }
 
