@@ -7,7 +7,7 @@ import os
 import signal
 import subprocess
 import tempfile
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Iterator
 
 import hypothesis
 import pytest
@@ -67,7 +67,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     workers = getattr(config, "workerinput", {}).get("workercount", 1)
     if workers > 1:
         parted: dict[bool, list[pytest.Item]] = {True: [], False: []}
-        compiled = [item for item in items if compiled_step.FIXTURE in getattr(item, "fixturenames", ())]
+        compiled = [item for item in items if compiled_step.FIXTURES.intersection(getattr(item, "fixturenames", ()))]
         for item in items:
             if item not in compiled:
                 parted[any(item.get_closest_marker(name) for name in ("browser", "slow"))].append(item)
@@ -85,6 +85,20 @@ def _ended_by(process: subprocess.Popen[bytes] | None) -> Callable[[], None]:
             process.wait()
 
     return end
+
+
+@pytest.fixture(scope="module")
+def compiled_runs() -> Iterator[None]:
+    """Runs take the compiled step, where there is Numba: what only many runs can show is shown in a tenth of the time."""
+    from kitrobot.sim.jit import policy
+    from kitrobot.sim.jit.compiler import step
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("KITROBOT_COMPILE", "")
+        with compiled_step.alone():
+            step.wait()
+        patch.setattr(policy, "WORTH", 0)
+        yield
 
 
 @pytest.fixture(scope="session")
