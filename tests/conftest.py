@@ -89,7 +89,7 @@ def _ended_by(process: subprocess.Popen[bytes] | None) -> Callable[[], None]:
 
 @pytest.fixture(scope="module")
 def compiled_runs() -> Iterator[None]:
-    """Runs take the compiled step, where there is Numba: what only many runs can show is shown in a tenth of the time."""
+    """Runs take the compiled step, where there is Numba: many of them take a tenth of the time."""
     from kitrobot.sim.jit import policy
     from kitrobot.sim.jit.compiler import step
 

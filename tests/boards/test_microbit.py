@@ -36,8 +36,8 @@ from kitrobot.image.model import Image
 from kitrobot.robots.program import BoardProgram
 from kitrobot.workspace.robots import find_robot
 from tests.boards.bench import PROGRAMS, STORES, bench_program, bench_robot
-from tests.boards.proxy import Proxy, noise
 from tests.boards.hex_sections import image_2016
+from tests.boards.proxy import Proxy, noise
 from tests.boards.qemu import Emulated, booted, running
 from tests.boards.test_deploy import put as put_program
 from tests.boards.test_deploy import runs

@@ -42,6 +42,10 @@ def boards(mission: Path) -> Iterator[dict[str, HostBoard]]:
 
 @linux
 @pytest.mark.slow
+@pytest.mark.thorough(
+    "server/test_fleet_runs.py: processes whose cable is pulled, another board takes over; "
+    "test_hosts.py: `kitrobot team` with a board, recorded"
+)
 def test_a_cable_that_is_pulled_is_an_agent_that_failed_and_another_board_takes_over_and_all_is_recorded(
     mission: Path, boards: dict[str, HostBoard], tmp_path: Path, kitrobot: Any
 ) -> None:

@@ -354,7 +354,7 @@ def first_beginning(both: Both, starter: bool = True) -> dict[str, str]:
 
 
 class Compared:
-    """orjson, whose every answer is held against that of the standard library; `differences` says where they are two."""
+    """orjson, whose answers are held against those of the standard library; `differences` says where they are two."""
 
     def __init__(self) -> None:
         self.differences: list[str] = []
