@@ -297,7 +297,7 @@ def random_property(rng: random.Random, form: Form, name: str) -> AskedProperty:
 @pytest.mark.parametrize("timing", list(Timing))
 def test_random_missions_come_where_brute_force_comes_and_break_what_it_breaks(timing: Timing) -> None:
     said: dict[tuple[Form, bool], int] = {(form, broken): 0 for form in FORMS for broken in (True, False)}
-    for seed in range(examples(6, 2000)):
+    for seed in range(examples(10, 2000)):
         rng = random.Random(seed)
         run, texts = random_run(rng)
         machines = Machines(run, timing)
@@ -365,7 +365,7 @@ def test_random_missions_on_a_road_have_the_states_and_answers_of_the_plain_mode
     of seed 128 an actuator goes on when the marked action that started it gives way.
     """
     compared, answers = 0, set()
-    for seed in (*range(examples(5, 400)), 128):
+    for seed in (*range(examples(10, 400)), 128):
         run, texts = random_road(random.Random(seed))
         parts = abstract_run(run)
         model = Model(run, parts, 0, timing)

@@ -93,7 +93,7 @@ def test_units_of_work_that_are_taken_and_never_done_are_a_standstill(timing: Ti
 def test_check_says_of_random_missions_what_the_simulator_ends_as() -> None:
     """There are no sensors, and nothing is left to chance."""
     said = {"stuck": 0, "done": 0, "time": 0}
-    for seed in range(examples(75, 5000)):
+    for seed in range(examples(150, 5000)):
         run, texts = random_run(random.Random(seed))
         answer = deadlock(run)
         to_the_end(run)
