@@ -7,7 +7,7 @@ import os
 import signal
 import subprocess
 import tempfile
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Callable, Generator
 
 import hypothesis
 import pytest
@@ -85,20 +85,6 @@ def _ended_by(process: subprocess.Popen[bytes] | None) -> Callable[[], None]:
             process.wait()
 
     return end
-
-
-@pytest.fixture(scope="module")
-def compiled_runs() -> Iterator[None]:
-    """Runs take the compiled step, where there is Numba: many of them take a tenth of the time."""
-    from kitrobot.sim.jit import policy
-    from kitrobot.sim.jit.compiler import step
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("KITROBOT_COMPILE", "")
-        with compiled_step.alone():
-            step.wait()
-        patch.setattr(policy, "WORTH", 0)
-        yield
 
 
 @pytest.fixture(scope="session")

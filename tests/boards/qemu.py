@@ -40,6 +40,14 @@ class Emulated:
         """Takes the power away at once and gives it back; what is in the flash stays."""
         self.tell_emulator(b"system_reset")
 
+    def pause(self) -> None:
+        """Stops its processor, which takes some of ours also while it waits."""
+        self.tell_emulator(b"stop")
+
+    def resume(self) -> None:
+        """Lets it go on where it was stopped."""
+        self.tell_emulator(b"cont")
+
     def keep_state(self, file: Path) -> None:
         """Writes all that it is into a file, which `-incoming` goes on from, and ends it."""
         made = file.with_suffix(".new")

@@ -344,7 +344,7 @@ def test_of_a_walk_at_random_no_event_is_left_that_could_be_left_out(timing: Tim
     memory = Memory(model, one)
     third = next(i for i, part in enumerate(model.parts) if part.agent.name == "carrier-3")
     dropped = 0
-    for seed in range(examples(2, 40)):
+    for seed in range(examples(3, 40)):
         walk = random_walk(space, memory, random.Random(seed))
         told = explain_run(model, one, walk, None, Budget(2_000))
         assert told is not None
