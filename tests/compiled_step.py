@@ -18,8 +18,8 @@ if sys.platform != "win32":
     import fcntl
 
 CACHE = Path(__file__).resolve().parents[1] / "build" / "cache"
-FIXTURE = "with_numba"
-"""What tests that need it ask for."""
+FIXTURES = {"with_numba", "compiled_runs"}
+"""What tests ask for that are about it, and those that are quicker with it."""
 COMPILE = """
 from kitrobot.sim.jit.compiler import step
 from tests.compiled_step import alone

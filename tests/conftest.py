@@ -67,7 +67,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     workers = getattr(config, "workerinput", {}).get("workercount", 1)
     if workers > 1:
         parted: dict[bool, list[pytest.Item]] = {True: [], False: []}
-        compiled = [item for item in items if compiled_step.FIXTURE in getattr(item, "fixturenames", ())]
+        compiled = [item for item in items if compiled_step.FIXTURES.intersection(getattr(item, "fixturenames", ()))]
         for item in items:
             if item not in compiled:
                 parted[any(item.get_closest_marker(name) for name in ("browser", "slow"))].append(item)

@@ -79,14 +79,14 @@ def sendable(kit: Kit) -> dict[str, list[tuple[str, BoardProgram]]]:
     return found
 
 
-def try_out(address: str, program: BoardProgram) -> int:
-    """Bytes that are left while it runs.
+def try_out(address: str, program: BoardProgram, *, fresh: bool = True) -> int:
+    """Bytes that are left while it runs. `fresh`: what the board holds of KitRobot is removed first.
 
     Raises:
         BoardError: it does not start, or does not do what it is asked.
         FaultError: a part failed meanwhile.
     """
-    done = deploy(address, program.file.to_bytes(), program.package, fresh=True)
+    done = deploy(address, program.file.to_bytes(), program.package, fresh=fresh)
     with connect(address, 20) as board:
         board.arguments = list(program.names.arguments)
         if program.file.is_member:

@@ -98,9 +98,17 @@ def names(root: Path = ROOT) -> Iterator[tuple[str, str]]:
 
 
 def problems(root: Path = ROOT) -> list[str]:
-    """A sentence for each name that is no noun."""
-    found = [(name, where) for name, where in names(root) if not is_noun(name) and name not in EXCEPTIONS]
-    return [f"{where}: `{name}` is no noun; CONTRIBUTING.md, Names" for name, where in found]
+    """A sentence for each name that is no noun, and for each exception that nothing is called."""
+    there = list(names(root))
+    missing = EXCEPTIONS.keys() - {name for name, _ in there} if root == ROOT else set()
+    return [
+        *(
+            f"{where}: `{name}` is no noun; CONTRIBUTING.md, Names"
+            for name, where in there
+            if name not in EXCEPTIONS and not is_noun(name)
+        ),
+        *(f"`{name}` is an exception, and nothing is called so" for name in sorted(missing)),
+    ]
 
 
 if __name__ == "__main__":

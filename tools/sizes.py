@@ -60,11 +60,16 @@ def _parameters(arguments: ast.arguments) -> list[str]:
 
 
 def problems(root: Path = ROOT) -> list[str]:
-    """A sentence for everything that is too large."""
+    """A sentence for everything that is too large, and for each exception that is not."""
+    found = {(where, kind): count for where, kind, count in sizes(root) if count > MOST[kind]}
+    needless = EXCEPTIONS.keys() - found.keys() if root == ROOT else set()
     return [
-        f"{where}: {count} {kind}, at most {MOST[kind]}; CONTRIBUTING.md, How we write"
-        for where, kind, count in sizes(root)
-        if count > MOST[kind] and (where, kind) not in EXCEPTIONS
+        *(
+            f"{where}: {count} {kind}, at most {MOST[kind]}; CONTRIBUTING.md, How we write"
+            for (where, kind), count in found.items()
+            if (where, kind) not in EXCEPTIONS
+        ),
+        *(f"{where}: is an exception without need; {kind}, at most {MOST[kind]}" for where, kind in sorted(needless)),
     ]
 
 

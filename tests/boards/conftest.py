@@ -7,10 +7,15 @@ from pathlib import Path
 
 import pytest
 
+from kitrobot.deploy.line.handshake import connect
 from kitrobot.deploy.line.line import Line
+from kitrobot.deploy.microbit_hex.bundled_firmware import V1, firmware_file
+from tests.boards.bench import bench_program
 from tests.boards.clocks import TrafficClock
+from tests.boards.hex_sections import image_2016
 from tests.boards.modern import ModernBoard, onboard_files
-from tests.boards.qemu import Emulated, running
+from tests.boards.qemu import Emulated, booted, running
+from tests.patience import PATIENCE_S
 
 
 @pytest.fixture(autouse=True)
@@ -47,18 +52,22 @@ def microbit() -> Iterator[Emulated]:
 
 
 @pytest.fixture(scope="session")
-def _kept_microbit() -> Iterator[Emulated]:
-    with running() as board:
-        yield board
+def _installed_microbit(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The state of a micro:bit of 2016 that has a small program from a file for its drive."""
+    folder = tmp_path_factory.mktemp("microbit")
+    program = bench_program(folder)
+    with booted(firmware=image_2016(program, folder)) as board:
+        with connect(board.address, PATIENCE_S) as link:
+            assert link.hello.state == 2
+        board.keep_state(folder / "state")
+    return folder / "state"
 
 
 @pytest.fixture
-def used_microbit(_kept_microbit: Emulated) -> Iterator[Emulated]:
-    """A micro:bit of 2016 that has just started, with what tests before left on it: most files are there."""
-    _kept_microbit.resume()
-    _kept_microbit.cut_power()
-    yield _kept_microbit
-    _kept_microbit.pause()
+def used_microbit(_installed_microbit: Path) -> Iterator[Emulated]:
+    """A micro:bit of 2016 that runs a small program: the loop is in its flash, which takes long to compile."""
+    with booted("-incoming", f"exec:cat '{_installed_microbit}'", firmware=str(firmware_file(V1))) as board:
+        yield board
 
 
 @pytest.fixture(scope="module")

@@ -48,6 +48,13 @@ class Emulated:
         """Lets it go on where it was stopped."""
         self.tell_emulator(b"cont")
 
+    def keep_state(self, file: Path) -> None:
+        """Writes all that it is into a file, which `-incoming` goes on from, and ends it."""
+        made = file.with_suffix(".new")
+        self.tell_emulator(f"migrate \"exec:cat > '{made}'\"\nquit".encode())
+        assert self.process.wait(PATIENCE_S) == 0
+        made.replace(file)
+
     def tell_emulator(self, command: bytes) -> None:
         assert self.process.stdin is not None
         self.process.stdin.write(command + b"\n")
@@ -67,14 +74,14 @@ def running(*extra: str, firmware: str = "") -> Iterator[Emulated]:
         with board.wire() as wire:
             wire.sendall(b"\r")
             board.read_until(wire, b">>> ")
-            _erase(board, wire, _end_of(Path(firmware or _installed().firmware)))
+            _erase(board, wire, _end_of(Path(firmware or installed_emulator().firmware)))
         yield board
 
 
 @contextlib.contextmanager
 def booted(*extra: str, firmware: str) -> Iterator[Emulated]:
     """A board that has just been given its power, with what is in a firmware's file and no more."""
-    found = _installed()
+    found = installed_emulator()
     with socket.create_server(("127.0.0.1", 0)) as listener:
         port = listener.getsockname()[1]
         process = subprocess.Popen(
@@ -91,7 +98,8 @@ def booted(*extra: str, firmware: str) -> Iterator[Emulated]:
         process.wait()
 
 
-def _installed() -> qemu.Emulator:
+def installed_emulator() -> qemu.Emulator:
+    """The emulator and the firmware of this machine."""
     found = qemu.find()
     # Not skipped: who leaves the board tests out says so with -m.
     assert found is not None, "no QEMU with a micro:bit here; install them, or leave these tests out: -m 'not boards'"
@@ -137,6 +145,8 @@ def _command(program: str, firmware: str, listener: int, extra: Sequence[str]) -
         *([setpriv, "--pdeathsig", "KILL"] if setpriv else []),
         program,
         *("-M", "microbit", "-display", "none", "-monitor", "stdio"),
+        # One thread for all: with two, a third of the time goes into waking the other one for each byte of the line.
+        *("-accel", "tcg,thread=single"),
         *("-chardev", f"socket,id=s,fd={listener},server=on,wait=off,nodelay=on", "-serial", "chardev:s"),
         *("-device", f"loader,file={firmware}"),
         *extra,

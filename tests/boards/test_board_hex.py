@@ -10,7 +10,6 @@ from pathlib import Path
 
 import micropython_microbit_fs
 import pytest
-import universal_hex
 
 from kitrobot.boards.programs import load_board_program
 from kitrobot.deploy.installation.deployment import deploy
@@ -19,6 +18,7 @@ from kitrobot.deploy.microbit_hex.board_hex import make_board_hex
 from kitrobot.deploy.microbit_hex.bundled_firmware import V1, V2
 from kitrobot.robots.program import BoardProgram
 from kitrobot.workspace.robots import find_robot
+from tests.boards.hex_sections import image_2016, section
 from tests.boards.qemu import Emulated, booted
 from tests.boards.test_microbit_v2 import board as v2_board
 from tests.boards.test_microbit_v2 import goes_on
@@ -29,20 +29,6 @@ from tests.verifier.check_fixtures import EXAMPLES
 from tools.microbit_kits import sendable, small_kits
 
 TICKS = 2000 if THOROUGH else 25
-
-
-def section(program: BoardProgram, board: int) -> str:
-    """The Intel Hex of one board, as another library takes it out of the universal hex."""
-    made = make_board_hex(program.file, program.package, program.needs)
-    return str(next(one.hex for one in universal_hex.separate_uhex(made.data.decode()) if one.board_id == board))
-
-
-def image_2016(program: BoardProgram, folder: Path) -> str:
-    """The same as a file; QEMU reads records of the plain form alone."""
-    path = folder / "board.hex"
-    lines = section(program, V1).splitlines()
-    path.write_text("".join(f"{line}\n" for line in lines if line[7:9] in ("00", "01", "04")), encoding="ascii")
-    return str(path)
 
 
 def it_runs(board: Emulated, program: BoardProgram) -> None:

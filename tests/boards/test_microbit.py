@@ -36,8 +36,9 @@ from kitrobot.image.model import Image
 from kitrobot.robots.program import BoardProgram
 from kitrobot.workspace.robots import find_robot
 from tests.boards.bench import PROGRAMS, STORES, bench_program, bench_robot
+from tests.boards.hex_sections import image_2016
 from tests.boards.proxy import Proxy, noise
-from tests.boards.qemu import Emulated, running
+from tests.boards.qemu import Emulated, booted, running
 from tests.boards.test_deploy import put as put_program
 from tests.boards.test_deploy import runs
 from tests.boards.test_line import mpremote
@@ -155,7 +156,7 @@ def test_a_line_that_is_cut_at_any_message_needs_only_another_try(microbit: Emul
 
 
 def place(board: Emulated, program: BoardProgram) -> None:
-    """Sends a program; where what a test before left there has no room for two, in the place of that."""
+    """Sends a program; where there is no room for two, in the place of the one before."""
     try:
         deploy(board.address, program.file.to_bytes(), program.package)
     except FullError:
@@ -167,7 +168,7 @@ def test_the_heart_is_sent_started_and_stopped_with_the_commands_of_a_user(used_
     to = ("--to", microbit.address)
     mine = bytes(range(90))
     put(microbit.address, mine)
-    sent = called("deploy", str(HEART), *to, "--fresh")  # removes what is KitRobot's alone
+    sent = called("deploy", str(HEART), *to)
     assert sent.returncode == 0, sent.stdout + sent.stderr
     assert "bytes of memory are left" in " ".join(sent.stdout.split())
     for word, said in (("stop", "stopped"), ("start", "started"), ("log", "no fault")):
@@ -196,7 +197,6 @@ def another_example_runs_on_it_and_a_file_of_the_user_is_left_alone(microbit: Em
     compared(microbit.address, program, find_robot("microbit"), seed=13, ticks=STEPS)
     with receiving(microbit.address) as receiver:
         assert receiver.read("data") == mine
-        receiver.remove("data")  # the next test finds the room that this one found
 
 
 @pytest.mark.thorough("test_three_hundred_instructions_fit_and_give_the_same_commands_in_every_tick, for one program")
@@ -268,7 +268,7 @@ def test_the_examples_for_it_run_on_it_one_after_the_other_and_leave_files_of_th
     last = 9
     for turn in range(last + 1):
         program = load_board_program(EXAMPLES / (name := ("heart", "reaction", "dice")[turn % 3]) / f"{name}.krt")
-        # The first makes room for the file, whatever tests before have left; the last removes what is KitRobot's alone.
+        # The first makes room for the file; the last removes what is KitRobot's alone.
         deploy(microbit.address, program.file.to_bytes(), program.package, fresh=turn in (0, last))
         assert program.is_called(runs(microbit.address))
         if turn == 0:
@@ -276,7 +276,6 @@ def test_the_examples_for_it_run_on_it_one_after_the_other_and_leave_files_of_th
         compared(microbit.address, program, find_robot("microbit"), seed=13, ticks=STEPS)
     with receiving(microbit.address) as receiver:
         assert receiver.read("data") == mine
-        receiver.remove("data")  # the next test finds the room that this one found
 
 
 @pytest.mark.thorough(
@@ -299,8 +298,12 @@ def test_a_program_that_does_not_fit_is_refused_and_the_old_one_goes_on(
 ) -> None:
     small = bench_program(tmp_path, PROGRAMS[0])
     place(used_microbit, small)
-    with pytest.raises(BoardError, match="flash"):
-        put_program(used_microbit.address, bench_program(tmp_path, PROGRAMS[0] * 60))
+    with receiving(used_microbit.address) as receiver:
+        flash = Flash.of(receiver)
+        assert flash is not None
+        receiver.write("data", bytes(flash.free - 2000))
+    with pytest.raises(FullError, match="flash"):
+        put_program(used_microbit.address, bench_program(tmp_path, PROGRAMS[0] * 40))
     assert small.is_called(runs(used_microbit.address))
     with pytest.raises(BoardError, match="memory"):
         put_program(used_microbit.address, bench_program(tmp_path, PROGRAMS[0] * 150))
@@ -360,14 +363,14 @@ USES = cases(TOGETHER, APART)
 
 
 @pytest.mark.parametrize("text", USES)
-def test_all_devices_of_it_work_there(used_microbit: Emulated, tmp_path: Path, text: str) -> None:
+def test_all_devices_of_it_work_there(tmp_path: Path, text: str) -> None:
     path = tmp_path / "devices.lll"
     path.write_text(f"*[Run.IsTrue()]({text} WAIT(1); );\n", encoding="utf-8")
     program = load_board_program(path, robot="microbit")
-    place(used_microbit, program)
-    compared(used_microbit.address, program, find_robot("microbit"), seed=14, ticks=STEPS)
-    with connect(used_microbit.address, PATIENCE_S) as board:
-        assert board.last_fault() is None
+    with booted(firmware=image_2016(program, tmp_path)) as board:
+        compared(board.address, program, find_robot("microbit"), seed=14, ticks=STEPS)
+        with connect(board.address, PATIENCE_S) as link:
+            assert link.last_fault() is None
 
 
 def test_a_program_that_fills_the_flash_is_sent_afresh_whatever_lies_freed_beside_its_loop(
@@ -376,11 +379,6 @@ def test_a_program_that_fills_the_flash_is_sent_afresh_whatever_lies_freed_besid
     path = tmp_path / "devices.lll"
     path.write_text(f"*[Run.IsTrue()]({PINS + KEYS_AND_SHAKING} WAIT(1); );\n", encoding="utf-8")
     program = load_board_program(path, robot="microbit")
-
-    def send() -> None:
-        deploy(used_microbit.address, program.file.to_bytes(), program.package, fresh=True)
-
-    send()
     with receiving(used_microbit.address) as receiver:
         for name in receiver.names():
             if name != boot_records.MAIN:
@@ -390,7 +388,7 @@ def test_a_program_that_fills_the_flash_is_sent_afresh_whatever_lies_freed_besid
         for place, first in enumerate(flash.area.firsts):
             if first == 255:  # unused; now as if a file had been there and was removed
                 receiver.write_words(flash.area.address(place), bytes((0, 255, 255, 255)))
-    send()
+    deploy(used_microbit.address, program.file.to_bytes(), program.package, fresh=True)
     compared(used_microbit.address, program, find_robot("microbit"), seed=14, ticks=STEPS)
     with connect(used_microbit.address, PATIENCE_S) as board:
         assert board.last_fault() is None
@@ -402,7 +400,7 @@ def test_it_does_the_ticks_of_a_member_and_waits_when_another_of_its_team_has_no
     with socket.create_server(("127.0.0.1", 0)) as listener:
         nobody = f"socket://127.0.0.1:{listener.getsockname()[1]}"
     boards = ("--board", f"bit-1={nobody}", "--board", f"bit-2={used_microbit.address}")
-    sending = called("deploy", str(write_crew(tmp_path)), "--team", *boards, "--fresh")
+    sending = called("deploy", str(write_crew(tmp_path)), "--team", *boards)
     said = " ".join(sending.stderr.split())
     assert sending.returncode == 1
     assert "no robot of the team is started; mend what is said above of bit-1" in said

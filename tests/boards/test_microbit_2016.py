@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from kitrobot.deploy.errors import NoMemoryError
@@ -10,7 +12,8 @@ from kitrobot.deploy.line.line import Line
 from kitrobot.deploy.line.receiver import Receiver
 from kitrobot.deploy.line.repl import RawRepl
 from kitrobot.workspace.mission_loader import open_mission
-from tests.boards.qemu import Emulated
+from tests.boards.hex_sections import image_2016
+from tests.boards.qemu import Emulated, booted
 from tests.effort import cases
 from tests.verifier.check_fixtures import EXAMPLES
 from tools.microbit_kits import programs, small_kits, try_out
@@ -19,10 +22,11 @@ pytestmark = pytest.mark.boards
 
 
 @pytest.mark.parametrize("kit", cases(["cutebot"], ["maqueen", "move-motor"]))
-def test_a_square_is_driven_stopped_and_driven_again(used_microbit: Emulated, kit: str) -> None:
+def test_a_square_is_driven_stopped_and_driven_again(tmp_path: Path, kit: str) -> None:
     opened = open_mission(EXAMPLES / "square" / "square.krt")
     ((_, program),) = programs(opened, small_kits()[kit])
-    assert try_out(used_microbit.address, program) > 2000
+    with booted(firmware=image_2016(program, tmp_path)) as board:
+        assert try_out(board.address, program, fresh=False) > 2000
 
 
 def test_what_is_too_large_is_refused_before_anything_on_the_board_changes(used_microbit: Emulated) -> None:

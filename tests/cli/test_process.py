@@ -117,11 +117,17 @@ def test_a_mistake_of_ours_shows_where_only_when_asked(tmp_path):
 
 
 @contextlib.contextmanager
-def opened(folder) -> Iterator[tuple[str, str, subprocess.Popen[str]]]:
-    """A studio on a copy of the example: its address without the token, the token, the process."""
+def opened(folder, browser: Path | None = None) -> Iterator[tuple[str, str, subprocess.Popen[str]]]:
+    """A studio on a copy of the example: its address without the token, the token, the process.
+
+    `browser`: what it opens its page in.
+    """
     (folder / "transport.krt").write_bytes(EXAMPLE.read_bytes())
-    command = [*KITROBOT, str(folder / "transport.krt"), "--no-browser", "--port", "0"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+    command = [*KITROBOT, str(folder / "transport.krt"), "--port", "0"]
+    env = {**os.environ, "BROWSER": str(browser), "DISPLAY": ":0"}
+    if browser is None:
+        command, env = [*command, "--no-browser"], dict(os.environ)
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=env) as process:
         assert process.stdout is not None
         address, _, token = process.stdout.readline().strip().partition("/?token=")
         try:
@@ -190,60 +196,57 @@ def test_where_no_studio_is_served_no_web_server_is_loaded(tmp_path):
     assert not loaded & {b"numpy", b"fastapi", b"uvicorn", b"kitrobot.sim", b"kitrobot.server.app"}
 
 
-def test_a_second_kitrobot_on_a_folder_opens_a_page_of_the_first(kitrobot, tmp_path):
+def test_a_second_kitrobot_on_a_folder_opens_a_page_of_the_first_and_after_a_kill_there_is_another_token(
+    kitrobot, tmp_path
+):
     """With `--new` it does not: `server/test_two_studios.py`."""
-    with opened(tmp_path) as (address, token, process):
-        for target, named in ((tmp_path, ""), (tmp_path / "transport.krt", "transport.krt")):
+    missions = tmp_path / "missions"
+    missions.mkdir()
+    with opened(missions) as (address, token, process):
+        for target, named in ((missions, ""), (missions / "transport.krt", "transport.krt")):
             ended = kitrobot(target, "--no-browser", studio=_open_studio)
             assert ended.status == 0
             assert ended.out.strip() == f"{address}/?token={token}&open={named}"
             assert "runs already" in ended.err
         process.kill()
         process.wait(PATIENCE_S)
-    with opened(tmp_path) as (again, other, _):
+    said, browser = tmp_path / "said", None
+    if sys.platform != "win32":  # a browser of our own is a script
+        os.mkfifo(said)
+        browser = tmp_path / "browser"
+        browser.write_text(f'#!/bin/sh\nprintf "%s\\n" "$@" > "{said}"\n')
+        browser.chmod(0o700)
+    with opened(missions, browser) as (again, other, process):
         assert (again, other == token) == (address, False), "at the same address, with another token"
+        page = the_token_is_in_no_command_line_of_a_browser(said, again, other) if browser else None
+        ctrl_c_ends_it_in_the_middle_of_runs_and_pages_that_left_leave_no_trace(again, other, process)
+        assert page is None or not page.exists()
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="a browser of our own is a script there")
-def test_the_token_is_in_no_command_line_of_a_browser(tmp_path):
-    said, browser = tmp_path / "said", tmp_path / "browser"
-    os.mkfifo(said)
-    browser.write_text(f'#!/bin/sh\nprintf "%s\\n" "$@" > "{said}"\n')
-    browser.chmod(0o700)
-    missions = tmp_path / "missions"
-    missions.mkdir()
-    env = {**os.environ, "BROWSER": str(browser), "DISPLAY": ":0"}
-    with subprocess.Popen([*KITROBOT, str(missions)], stdout=subprocess.PIPE, env=env, text=True) as process:
-        assert process.stdout is not None
-        printed = process.stdout.readline().strip()
-        told = urlsplit(said.read_text().strip())
-        page = Path(told.path)
-        token = printed.partition("?token=")[2]
-        assert told.scheme == "file"
-        assert token not in told.geturl()
-        assert stat.S_IMODE(page.stat().st_mode) == 0o600
-        assert f"url={printed}" in page.read_text()
+def the_token_is_in_no_command_line_of_a_browser(said: Path, address: str, token: str) -> Path:
+    told = urlsplit(said.read_text().strip())
+    page = Path(told.path)
+    assert told.scheme == "file"
+    assert token not in told.geturl()
+    assert stat.S_IMODE(page.stat().st_mode) == 0o600
+    assert f"url={address}/?token={token}" in page.read_text()
+    return page
+
+
+def ctrl_c_ends_it_in_the_middle_of_runs_and_pages_that_left_leave_no_trace(address: str, token: str, process) -> None:
+    async def watch() -> None:
+        left = await watched(address, token, 3)
+        left.transport.abort()
+        stayed = await watched(address, token, 3)
         process.send_signal(signal.SIGINT)
-        assert process.wait(PATIENCE_S) == 0
-        assert not page.exists()
+        with contextlib.suppress(websockets.ConnectionClosed):
+            async for _ in stayed:
+                pass
 
-
-def test_ctrl_c_ends_the_studio_in_the_middle_of_runs_and_pages_that_left_leave_no_trace(tmp_path):
-    with opened(tmp_path) as (address, token, process):
-
-        async def watch() -> None:
-            left = await watched(address, token, 3)
-            left.transport.abort()
-            stayed = await watched(address, token, 3)
-            process.send_signal(signal.SIGINT)
-            with contextlib.suppress(websockets.ConnectionClosed):
-                async for _ in stayed:
-                    pass
-
-        coroutines.run(watch())
-        assert process.wait(PATIENCE_S) == 0
-        assert process.stderr is not None
-        assert process.stderr.read() == "Ctrl-C ends the studio.\n"
+    coroutines.run(watch())
+    assert process.wait(PATIENCE_S) == 0
+    assert process.stderr is not None
+    assert process.stderr.read() == "Ctrl-C ends the studio.\n"
 
 
 def test_a_usual_port_that_is_taken_is_passed_over():

@@ -212,7 +212,6 @@ def at_other_places() -> bytes:
         (at_other_places(), "does not know where"),
         (uf2(binary() + b"\x09\x04\x02\x00\x02\x08\x06\x50\x05"), "shows its files as a drive"),
         (uf2(binary(FileStorage(FLASH + 0x5000, 0x10000))), "brings files of its own along"),
-        (made_of().data, "brings files of its own along"),
     ],
 )
 def test_a_firmware_that_cannot_be_used_is_refused_with_a_way_out(firmware: bytes, said: str) -> None:
@@ -220,6 +219,11 @@ def test_a_firmware_that_cannot_be_used_is_refused_with_a_way_out(firmware: byte
         made_of(firmware_of(firmware, "a.uf2"))
     assert said in refused.value.message
     assert refused.value.help
+
+
+def test_what_was_made_so_is_no_firmware_for_another(made: BoardUf2) -> None:
+    with pytest.raises(FirmwareError, match="brings files of its own along"):
+        made_of(firmware_of(made.data, "a.uf2"))
 
 
 def test_a_firmware_of_another_kind_of_chip_is_refused_where_no_kit_says_which() -> None:

@@ -13,6 +13,8 @@ from kitrobot.workspace.mission_run import PreparedRun, RunOptions
 from kitrobot.workspace.sweep import Sweep, SweepOptions, run_sweep
 from tests.effort import THOROUGH
 
+pytestmark = pytest.mark.usefixtures("compiled_runs")
+
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 
 

@@ -15,7 +15,7 @@ import pytest
 
 from kitrobot.experiments.addresses import ExperimentError
 from kitrobot.experiments.cluster import DaskCluster
-from kitrobot.experiments.executor import Work
+from kitrobot.experiments.executor import ThisProcess, Work
 from kitrobot.experiments.point_runner import PointRunner
 from kitrobot.experiments.study_folder import begin_study
 from kitrobot.experiments.study_run import run_study
@@ -83,7 +83,7 @@ def test_a_worker_that_is_killed_costs_no_row_and_a_scheduler_that_goes_away_is_
             run_study(tmp_path, DaskCluster(address), stop=kill_at_the_second_look)
         assert "--resume" in told.value.help
     assert set(sorted_rows(tmp_path)) < set(undisturbed)
-    assert run_study(tmp_path)
+    assert run_study(tmp_path, ThisProcess())
     assert sorted_rows(tmp_path) == undisturbed
 
 

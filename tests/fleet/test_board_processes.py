@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
 import socket
 from collections.abc import Iterator
 from contextlib import ExitStack
@@ -18,31 +17,16 @@ from kitrobot.trace.reader import TraceReader
 from kitrobot.workspace.mission_loader import open_mission
 from tests.boards.host import HostBoard, board_with
 from tests.boards.proxy import Proxy
-from tests.fleet.test_processes import CONVOY, agents_of, is_there, linux, started
+from tests.fleet.short_convoy import write_short_convoy
+from tests.fleet.test_processes import agents_of, is_there, linux, started
 
 NOWHERE = "socket://127.0.0.1:9"
 
 
 @pytest.fixture
 def mission(tmp_path: Path) -> Path:
-    """The convoy with one follower, with drivers of its parts beside it, and nobody fails by schedule."""
-    text = Path(CONVOY).read_text(encoding="utf-8")
-    for beside in Path(CONVOY).parent.iterdir():
-        shutil.copy(beside, tmp_path)
-    for driver in ("turn", "drive", "lamp"):
-        (tmp_path / f"{driver}.driver.py").write_text("def make(settings):\n    raise OSError\n", encoding="utf-8")
-    for old, new in (
-        ('<failure agent="robot-2" at="3" kind="fail"/>', ""),
-        ('<agent name="robot-3" program="convoy" robot="mini-robot"/>', ""),
-        (' least="2"', ""),
-        ('<set name="count">2</set>', '<set name="count">1</set>'),
-        ('<set name="duration">40</set>', '<set name="duration">10</set>'),
-    ):
-        assert old in text
-        text = text.replace(old, new)
-    file = tmp_path / "convoy.krt"
-    file.write_text(text, encoding="utf-8")
-    return file
+    """The short convoy."""
+    return write_short_convoy(tmp_path)
 
 
 @pytest.fixture
@@ -58,6 +42,10 @@ def boards(mission: Path) -> Iterator[dict[str, HostBoard]]:
 
 @linux
 @pytest.mark.slow
+@pytest.mark.thorough(
+    "server/test_fleet_runs.py: processes whose cable is pulled, another board takes over; "
+    "test_hosts.py: `kitrobot team` with a board, recorded"
+)
 def test_a_cable_that_is_pulled_is_an_agent_that_failed_and_another_board_takes_over_and_all_is_recorded(
     mission: Path, boards: dict[str, HostBoard], tmp_path: Path, kitrobot: Any
 ) -> None:

@@ -12,26 +12,30 @@ import pytest
 from kitrobot.cli.agent import prepare_team_run
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.tables.team_columns import T_HOLDER
-from kitrobot.workspace.mission_loader import OpenMission, open_mission
+from kitrobot.workspace.mission_loader import OpenMission, open_mission, read_mission_data
 from kitrobot.workspace.mission_run import RunOptions
+from kitrobot.workspace.search_path import SearchPath
 from tests.fleet.network import Faults, Fleet
 
 CONVOY = Path("examples/convoy/convoy.krt")
 
 
 @cache
-def convoy() -> OpenMission:
-    """The example without its scheduled failure."""
-    opened = open_mission(CONVOY)
+def convoy(rounds: int) -> OpenMission:
+    """The example without its scheduled failure, so often there and back."""
+    text, twice = CONVOY.read_text(encoding="utf-8"), '<set name="count">2</set>'
+    assert twice in text
+    data = text.replace(twice, f'<set name="count">{rounds}</set>').encode()
+    opened = read_mission_data(data, CONVOY.name, SearchPath(CONVOY.parent))
     return dataclasses.replace(opened, mission=dataclasses.replace(opened.mission, failures=[]))
 
 
-def anew() -> Simulation:
-    return convoy().prepare(RunOptions(1, 600)).simulation
+def anew(rounds: int = 1) -> Simulation:
+    return convoy(rounds).prepare(RunOptions(1, 600)).simulation
 
 
-def fleet() -> Fleet:
-    return Fleet(anew)
+def fleet(rounds: int = 1) -> Fleet:
+    return Fleet(lambda: anew(rounds))
 
 
 def texts(one: Fleet) -> list[tuple[str, str]]:
@@ -125,7 +129,7 @@ def test_without_a_majority_all_stand_still_until_it_is_back() -> None:
 
 
 def test_who_was_away_for_more_slots_than_are_kept_adopts_the_tables_of_another() -> None:
-    one = fleet()
+    one = fleet(2)
     until(one, 1500)
     one.faults = Faults(side=frozenset({3}), bodies_too=True)
     until(one, 13_000)

@@ -84,12 +84,12 @@ def _go(plan: Plan, most: int = 600_000) -> tuple[ThreeAgents, Exploration[Team]
         [
             pytest.param(Plan(MEETING, letters=3, prompt=True), 3_257, id="meeting"),
             pytest.param(Plan(ROLE, Faults(crashes=1), 2, True), 3_094, id="role-crash"),
-            pytest.param(Plan(ROLE, Faults(cuts=1), 2, True), 8_136, id="role-cut"),
             pytest.param(Plan(WORK, Faults(crashes=1), 3, True), 6_702, id="work-crash"),
             pytest.param(Plan(WORK, Faults(lost=1, doubled=1), 3, True), 2_662, id="work-lost-doubled"),
         ],
         [
             pytest.param(Plan(MEETING, Faults(crashes=1), 2, True), 7_255, id="meeting-crash"),
+            pytest.param(Plan(ROLE, Faults(cuts=1), 2, True), 8_136, id="role-cut"),
             pytest.param(Plan(WORK, Faults(cuts=1), 2, True), 4_898, id="work-cut"),
             pytest.param(Plan(MEETING, Faults(lost=1), 3, True), 30_705, id="meeting-lost"),
         ],
@@ -116,7 +116,7 @@ def test_every_run_of_three_keeps_the_laws_and_settles_when_nothing_disturbs_it(
     ],
 )
 def test_the_first_states_of_longer_runs_keep_the_laws_and_settle(plan: Plan) -> None:
-    model, explored = _go(plan, cases([1_000], [200_000])[-1])
+    model, explored = _go(plan, cases([600], [200_000])[-1])
     assert explored.broken is None, str(explored.broken)
     undone = {what for state in explored.states if (what := what_stays_undone(model, state))}
     assert undone == set()

@@ -4,7 +4,15 @@ from __future__ import annotations
 
 import pytest
 
-from tools.near_tests import distances, files_read_here, importers_of, imports_of_src, module_of, nearest_first
+from tools.near_tests import (
+    changed_modules,
+    distances,
+    files_read_here,
+    importers_of,
+    imports_of_src,
+    module_of,
+    nearest_first,
+)
 
 SRC = {"kitrobot.a": {"kitrobot.b"}, "kitrobot.b": {"kitrobot.c"}, "kitrobot.c": set[str](), "kitrobot.d": set[str]()}
 FILES = {
@@ -51,5 +59,5 @@ def test_in_this_repository_a_module_reaches_its_tests_and_not_all() -> None:
     assert near["tests.world.test_geometry"] == 1
     assert near["tests.server.test_run"] > 1
     assert "tests.lll.test_grammar" not in near
-    schemas = nearest_first(["src/kitrobot/primitives/shipped/mini-robot.robot.xml"], src, files)
-    assert "tests/primitives/test_catalogue.py" in schemas
+    schemas = distances(graph, changed_modules(["src/kitrobot/primitives/shipped/mini-robot.robot.xml"], files, src))
+    assert "tests.primitives.test_catalogue" in schemas

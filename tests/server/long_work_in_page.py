@@ -12,7 +12,7 @@ from tests.server.in_page_scenario import Heard, remove_what_pages_lack
 from tests.server.sleeping_loop import SleepingLoop, sleep
 
 HOURS = 10**7
-FIRST = 2000
+FIRST = 500
 """The tick at which the run is paused."""
 
 

@@ -12,12 +12,8 @@ def text() -> str:
     return api_types.types()
 
 
-def test_the_committed_types_are_what_the_models_say(text: str):
+def test_the_committed_types_are_what_the_models_say_and_another_process_wrote(text: str):
     assert api_types.TARGET.read_text(encoding="utf-8") == text, "run `python tools/api_types.py`"
-
-
-def test_writing_the_types_twice_gives_the_same_text(text: str):
-    assert api_types.types() == text
 
 
 def test_every_message_says_its_type(text: str):

@@ -82,7 +82,7 @@ def test_connections_that_say_nothing_make_room_for_others(
             if said == "body":
                 line.sendall(head(port, more=POST).replace(b"GET /api/missions", b"POST /api/text"))
             elif said == "kept alive":
-                line.sendall(head(port, more="\r\n"))
+                line.sendall(head(port, "/api/session", more="\r\n"))
                 assert line.recv(65536).startswith(b"HTTP/1.1 200")
             else:
                 line.sendall(said.encode())

@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import shutil
 import signal
 import threading
 from collections.abc import Callable, Iterator
@@ -23,7 +22,8 @@ from kitrobot.trace.reader import TraceReader
 from kitrobot.workspace.mission_loader import open_mission
 from tests.boards.host import board_with
 from tests.boards.proxy import Proxy
-from tests.fleet.test_processes import CONVOY, NAMES, is_there
+from tests.fleet.short_convoy import NAMES, write_short_convoy
+from tests.fleet.test_processes import is_there
 from tests.patience import PATIENCE_S
 from tests.server.conftest import HOST, SOCKET, TOKEN, TestClient
 from tests.server.pages import ADDRESS, Page, RunPage
@@ -42,11 +42,13 @@ class TeamPage(Page):
         return self.until("team", wanted)
 
     @contextlib.contextmanager
-    def fleet(self, boards: dict[str, str] | None = None, **more: Any) -> Iterator[RunPage]:
-        """Starts the team as a run."""
+    def fleet(self, boards: Any = (), **more: Any) -> Iterator[RunPage]:
+        """Starts the team as a run. `boards`: their addresses by agents, or what stands in their place."""
         with self.client.websocket_connect(f"{SOCKET}/api/run?token={TOKEN}") as socket:
             run = RunPage(socket)
-            wanted = [{"agent": agent, "address": address} for agent, address in (boards or {}).items()]
+            wanted = boards
+            if isinstance(boards, dict):
+                wanted = [{"agent": agent, "address": address} for agent, address in boards.items()]
             request = {"mission": self.mission, "path": PATH, "holder": self.you, "speed": 1, "seed": 1}
             run.send(**{"type": "fleet", **request, "boards": wanted, **more})
             yield run
@@ -54,15 +56,8 @@ class TeamPage(Page):
 
 @pytest.fixture
 def convoy(folder: Path) -> Path:
-    """The convoy in the studio's folder, with drivers of its parts beside it; nobody fails by schedule."""
-    for beside in Path(CONVOY).parent.iterdir():
-        shutil.copy(beside, folder)
-    for driver in ("turn", "drive", "lamp"):
-        (folder / f"{driver}.driver.py").write_text("def make(settings):\n    raise OSError\n", encoding="utf-8")
-    file = folder / PATH
-    text = file.read_text(encoding="utf-8").replace('<failure agent="robot-2" at="3" kind="fail"/>', "")
-    file.write_text(text, encoding="utf-8")
-    return file
+    """The short convoy in the studio's folder."""
+    return write_short_convoy(folder)
 
 
 @pytest.fixture
@@ -137,8 +132,8 @@ def test_it_is_a_run_like_any_other_and_goes_on_without_an_agent_that_is_killed(
         run.send(type="force", agent="robot-1", sensor="Bumper", value=1)
         assert "process of its own" in run.until("error")["message"]
         pids = processes(app)
-        os.kill(pids["robot-3"], signal.SIGKILL)
-        page.team(lambda said: said["agents"][2]["state"] == "ended" and "status -9" in said["agents"][2]["message"])
+        os.kill(pids["robot-2"], signal.SIGKILL)
+        page.team(lambda said: said["agents"][1]["state"] == "ended" and "status -9" in said["agents"][1]["message"])
         run.send(type="pause")
         at = run.until("state", status="paused")["tick"]
         while run.until("tick", tick=at)["latest"] < at + 50:
@@ -156,7 +151,7 @@ def test_it_is_a_run_like_any_other_and_goes_on_without_an_agent_that_is_killed(
         with TraceReader(path) as recorded:
             texts = [event.text for _, event in recorded.events]
             assert (recorded.outcome["outcome"], recorded.header.real, recorded.cut) == ("done", False, False)
-        assert "takes over for robot-3" in texts
+        assert "takes over for robot-2" in texts
         assert texts.count("the property far is broken") == 1
         assert "is missed by its team" in texts
         page.team(lambda said: said["phase"] == "idle")
@@ -166,19 +161,9 @@ def test_it_is_a_run_like_any_other_and_goes_on_without_an_agent_that_is_killed(
 
 
 @pytest.mark.slow
-def test_stop_reaches_every_agent_from_every_window_and_none_outlives_its_page(visit, app) -> None:
-    with visit() as page, visit() as other:
+def test_no_agent_outlives_its_page_that_is_gone_while_they_still_come(visit, app) -> None:
+    with visit() as page:
         with page.fleet() as run:
-            page.team(lambda said: said["phase"] == "running")
-            first = processes(app)
-            other.send("stop", "")
-            assert run.until("state", status="stopped")
-            # Only the newest state is told: that all stand still may come with the end.
-            said = page.team(lambda said: said["phase"] == "idle" and said["stopped_ms"] is not None)
-            assert f"stood still within {said['stopped_ms']} ms" in said["message"]
-            assert ended(app, first)
-        with page.fleet() as run:
-            # Gone while its agents still come.
             run.until("started")
             page.team(lambda said: said["phase"] in ("starting", "running"))
         page.team(lambda said: said["phase"] in ("stopping", "idle"))
@@ -187,7 +172,9 @@ def test_stop_reaches_every_agent_from_every_window_and_none_outlives_its_page(v
 
 
 @pytest.mark.slow
-def test_a_cable_that_is_pulled_and_a_board_of_another_program_are_told_beside_their_agents(visit, convoy, app) -> None:
+def test_a_pulled_cable_and_a_board_of_another_program_are_told_beside_their_agents_and_stop_reaches_all(
+    visit, convoy, app
+) -> None:
     opened = open_mission(convoy)
     with ExitStack() as stack:
         boards = {
@@ -195,7 +182,7 @@ def test_a_cable_that_is_pulled_and_a_board_of_another_program_are_told_beside_t
             for name in ("robot-2", "robot-4")
         }
         cable = stack.enter_context(Proxy(int(boards["robot-2"].address.rpartition(":")[2]), cut_after=90))
-        page = stack.enter_context(visit())
+        page, other = stack.enter_context(visit()), stack.enter_context(visit())
         with page.fleet({"robot-2": cable.address, "robot-4": boards["robot-4"].address}) as run:
             page.team(lambda said: said["phase"] == "running")
             page.send("connect", cable.address, mission=page.mission, path=PATH, program="convoy")
@@ -205,20 +192,28 @@ def test_a_cable_that_is_pulled_and_a_board_of_another_program_are_told_beside_t
             events: list[dict[str, Any]] = []
             while not any("takes over for robot-2" in event["text"].lower() for event in events):
                 events += run.until("tick")["events"]
-            run.send(type="stop")
-            run.until("state", status="stopped")
-        page.team(lambda said: said["phase"] == "idle")
+            stop_of_another_window_reaches_every_agent(page, other, run, app)
         for program in page.mission["programs"]:
             for vertex in program["vertices"]:
                 for name, value in vertex["settings"].items():
-                    if value == "40":
-                        vertex["settings"][name] = "41"
+                    if value == "10":
+                        vertex["settings"][name] = "11"
         with page.fleet({"robot-4": boards["robot-4"].address}) as run:
             failed = run.until("state", status="failed")
             assert failed["sentence"].startswith("Robot-4: the board on")
             told = page.team(lambda said: said["phase"] == "idle" and said["failed"])
-            assert "press Send to all" in told["agents"][3]["help"].replace("Press", "press")
+            assert "press Send to all" in told["agents"][2]["help"].replace("Press", "press")
         assert ended(app, {})
+
+
+def stop_of_another_window_reaches_every_agent(page: TeamPage, other: TeamPage, run: RunPage, app: Any) -> None:
+    pids = processes(app)
+    other.send("stop", "")
+    assert run.until("state", status="stopped")
+    # Only the newest state is told: that all stand still may come with the end.
+    said = page.team(lambda said: said["phase"] == "idle" and said["stopped_ms"] is not None)
+    assert f"stood still within {said['stopped_ms']} ms" in said["message"]
+    assert ended(app, pids)
 
 
 class Sending(SerialGateway):
@@ -294,10 +289,8 @@ def test_a_team_that_cannot_be_started_is_told_in_a_sentence(visit, app, monkeyp
             with page.fleet(boards) as run:
                 assert words in run.until("error", ended=True)["message"]
         for odd in ("x", [{"agent": "robot-1"}], None):
-            with page.fleet() as run:
-                run.send(type="fleet", mission=page.mission, path=PATH, holder="", boards=odd, seed=1, speed=1)
+            with page.fleet(odd) as run:
                 assert "not understood" in run.until("error")["message"]
-                run.send(type="stop")
         whole = page.mission["programs"][0]["arcs"]
         page.mission["programs"][0]["arcs"] = []
         with page.fleet() as run:

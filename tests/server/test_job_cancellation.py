@@ -95,12 +95,12 @@ def test_what_a_run_is_asked_for_ends_with_stop_and_with_its_page(
 ) -> None:
     monkeypatch.setattr(watched_run, "LONGEST_STEP_S", HOURS)
     with connect() as watcher:
-        paused_at(watcher, waiting, 3000)
+        paused_at(watcher, waiting, 1000)
         watcher.send(**JOBS[name])
         watcher.send(type="stop")
         watcher.until("state", status="stopped")
     with connect() as watcher:
-        paused_at(watcher, waiting, 3000)
+        paused_at(watcher, waiting, 1000)
         watcher.send(**JOBS[name])
 
 

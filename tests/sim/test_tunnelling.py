@@ -100,7 +100,9 @@ def test_nobody_jumps_over_a_box_or_a_ball_and_a_wall_holds_it(speed: float, tic
     boxes = (thing,) if isinstance(thing, Box) else ()
     balls = (thing,) if isinstance(thing, Ball) else ()
     wall = Wall(5000.0, 0.0, 5000.0, 3000.0)
-    run = ended(run_of({"a": (driver(speed, tick), GO)}, room(start, wall, boxes=boxes, balls=balls)), 15)
+    # As long as it takes to the wall and as long again, once it presses against that.
+    made = run_of({"a": (driver(speed, tick), GO)}, room(start, wall, boxes=boxes, balls=balls))
+    run = ended(made, max(15 * 400 / speed, 1.0))
     place = float(run.state.pushables.floats[PUSH_X][0])
     robot = rows(run, 1)[0][0]
     if isinstance(thing, Box):

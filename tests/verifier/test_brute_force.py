@@ -247,7 +247,7 @@ def test_random_missions_stand_still_where_brute_force_says_so(
     timing: Timing, brute_force: Callable[[Simulation], Standstill | None]
 ) -> None:
     said = {True: 0, False: 0}
-    for seed in range(examples(30, 2000)):
+    for seed in range(examples(15, 2000)):
         run, texts = random_run(random.Random(seed))
         model = Model(run, abstract_run(run), 0, timing)
         stands = brute_force(run)
@@ -296,7 +296,7 @@ def test_random_missions_with_failures_come_where_brute_force_comes_and_nowhere_
 def test_whoever_lags_as_he_likes_comes_wherever_he_comes_in_step() -> None:
     """Each state of lockstep is one of free timing, and of prompt where the world has no events."""
     compared = more = 0
-    for seed in range(examples(20, 2000)):
+    for seed in range(examples(10, 2000)):
         run, texts = random_run(random.Random(seed), 3)
         models = {timing: Model(run, abstract_run(run), 0, timing) for timing in Timing}
         made = {timing: explore(model, Budget(10 * MOST_STATES), False) for timing, model in models.items()}

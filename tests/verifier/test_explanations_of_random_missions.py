@@ -241,7 +241,7 @@ def has_run_with(space: StateSpace, memory: Memory, wanted: Sequence[Event]) -> 
 @pytest.mark.parametrize(("timing", "failures"), [(Timing.LOCKSTEP, 0), (Timing.LOCKSTEP, 1), (Timing.FREE, 1)])
 def test_a_smaller_run_is_one_of_the_model_and_breaks_the_property(timing: Timing, failures: int) -> None:
     looked = 0
-    for seed in range(examples(25, 1500)):
+    for seed in range(examples(12, 1500)):
         rng = random.Random(seed)
         run, texts = branching_run(rng)
         asked = explained(run, random_property(rng), timing, failures)
@@ -263,7 +263,7 @@ def test_a_smaller_run_is_one_of_the_model_and_breaks_the_property(timing: Timin
 @pytest.mark.parametrize("failures", [0, 1])
 def test_the_moment_is_the_last_one_from_which_another_way_keeps_the_property(failures: int) -> None:
     found = dict.fromkeys(Certainty, 0)
-    for seed in range(examples(40, 1500)):
+    for seed in range(examples(20, 1500)):
         rng = random.Random(seed)
         run, texts = branching_run(rng)
         asked = explained(run, random_property(rng), Timing.LOCKSTEP, failures)
@@ -298,7 +298,7 @@ def test_the_moment_is_the_last_one_from_which_another_way_keeps_the_property(fa
 def test_from_the_end_backwards_it_finds_the_same_moment_or_says_that_it_does_not_know(most: int) -> None:
     """As in a mission that is too large to be looked at as a whole."""
     same = unknown = 0
-    for seed in range(examples(40, 1000)):
+    for seed in range(examples(20, 1000)):
         rng = random.Random(seed)
         run, texts = branching_run(rng)
         asked = explained(run, random_property(rng), Timing.LOCKSTEP, 0)

@@ -122,7 +122,7 @@ def shown(model: Model, state: State, left: int) -> tuple[Any, ...]:
     return agents, shared[-len(model.agreement.first) :] if shared[0] == left else ()
 
 
-@pytest.mark.parametrize("seed", cases([0, 2, 4, 7], [1, 3, 5, 6, *range(8, 200)]))
+@pytest.mark.parametrize("seed", cases([0, 7], [*range(1, 7), *range(8, 200)]))
 def test_a_team_agrees_on_nothing_that_the_model_does_not(seed: int) -> None:
     maker, program = random_team_program(seed)
     try:
@@ -132,7 +132,7 @@ def test_a_team_agrees_on_nothing_that_the_model_does_not(seed: int) -> None:
     assert follow(running.run, 120) > 1
 
 
-@pytest.mark.parametrize("seed", cases([1, 3, 7, 8], [0, 2, 4, 5, 6, *range(9, 400)]))
+@pytest.mark.parametrize("seed", cases([3, 8], [*range(3), *range(4, 8), *range(9, 400)]))
 def test_a_team_of_which_some_fail_does_nothing_that_the_model_does_not(seed: int) -> None:
     """They fail, stall or lose their radio at any moment, one or two of them; who stalls may go on, or is missed.
 

@@ -18,6 +18,7 @@ from kitrobot.files.examples import first_example
 from kitrobot.files.folder import MissionFolder
 from kitrobot.server.hosts import host_number, is_loopback
 from kitrobot.server.presence import Presence, StudioInfo
+from kitrobot.text.collection import collection_paused
 from kitrobot.text.sentences import Sentence
 
 USUAL_PORT = 8765
@@ -84,8 +85,9 @@ def _open_running_studio(presence: Presence, running: StudioInfo, place: StudioL
 def _serve(place: StudioLocation, presence: Presence, bound: str, port: int | None, browser: bool) -> None:
     listening = listen(bound, port, presence.port)
     # Only now: where the studio is not served, nobody waits for the web server to load.
-    from kitrobot.server.app import create_app
-    from kitrobot.server.web_server import run_server
+    with collection_paused():
+        from kitrobot.server.app import create_app
+        from kitrobot.server.web_server import run_server
 
     number = listening.getsockname()[1]
     running = StudioInfo(f"http://{_name(bound)}:{number}/", secrets.token_urlsafe(24))

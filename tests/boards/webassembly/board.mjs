@@ -16,6 +16,7 @@ import { DEAF, HEAD, HELD_UP, REFUSED, RING_BYTES, TAIL, ringOf } from "./ring.m
 
 const [micropython, givenPath] = process.argv.slice(2);
 const given = JSON.parse(readFileSync(givenPath, "utf8"));
+const compiled = await WebAssembly.compile(readFileSync(micropython.replace(/\.mjs$/, ".wasm")));
 const flash = new Map(Object.entries(given.files ?? {}).map(([name, text]) => [name, Buffer.from(text, "base64")]));
 
 let host; // the socket of who is connected
@@ -37,7 +38,7 @@ function powerUp() {
   ring = ringOf(new SharedArrayBuffer(RING_BYTES));
   waiting = [];
   const begun = new Worker(new URL("./interpreter.mjs", import.meta.url), {
-    workerData: { micropython, buffer: ring.buffer, files: [...flash], pace: given.pace },
+    workerData: { micropython, compiled, buffer: ring.buffer, files: [...flash], pace: given.pace },
   });
   worker = begun;
   begun.on("message", (message) => {

@@ -43,6 +43,11 @@ _run(${JSON.stringify(name)})
 del _run
 `;
 
+// Its WebAssembly was compiled once for all starts of the board, in any thread.
+WebAssembly.instantiate = async (binary, imports) => ({
+  module: workerData.compiled,
+  instance: await new WebAssembly.Instance(workerData.compiled, imports),
+});
 const { loadMicroPython } = await import(workerData.micropython);
 const { indices, bytes } = ringOf(workerData.buffer);
 const files = new Map(workerData.files);

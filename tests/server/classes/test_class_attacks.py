@@ -306,7 +306,11 @@ def test_every_way_to_write_is_counted_before_it_is_written(school, mission, mon
         lambda at: handed_out(ada, str(at), {"a.exercise.xml": random.Random(at).randbytes(6_000)}),
     ]
     for save in saves:
-        answers = [save(at).status_code for at in range(90)]
+        answers: list[int] = []
+        for at in range(90):
+            answers.append(save(at).status_code)
+            if answers.count(413) == 3:
+                break
         assert answers[0] == 200, save(1000).text
         assert set(answers) == {200, 413}
         assert measured(studio)[0] <= 20_000

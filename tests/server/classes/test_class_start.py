@@ -1,10 +1,11 @@
-"""What the terminal says when a class opens: who can reach it, where programs run, how pupils come in."""
+"""What the terminal says when a class opens: who can reach it, where programs run, how pupils come in.
+
+A class that is open as a process is in `test_data_protection`.
+"""
 
 from __future__ import annotations
 
-import os
 import subprocess
-import sys
 import tomllib
 from pathlib import Path
 
@@ -12,37 +13,28 @@ import pytest
 
 from kitrobot.server.classroom.class_server import qr_rows, reach_sentence
 from kitrobot.server.studio_server import ServerError
-from tests.patience import PATIENCE_S
 
 FINDER = ["1111111", "1000001", "1011101", "1011101", "1011101", "1000001", "1111111"]
 """What a QR code has in three of its corners (ISO/IEC 18004)."""
 
 
-def test_a_class_that_opens_says_what_a_teacher_has_to_tell(tmp_path: Path) -> None:
-    folder = tmp_path / "Class 5b"
-    command = [sys.executable, "-m", "kitrobot", "class", str(folder), "--no-browser", "--port", "0"]
-    environment = {**os.environ, "KITROBOT_STATE": str(tmp_path / "state"), "KITROBOT_LANGUAGE": "en", "LC_ALL": "C"}
-    with subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment
-    ) as process:
-        try:
-            assert process.stdout is not None
-            assert process.stderr is not None
-            address = process.stdout.readline().strip().partition("teacher?")[0]
-            said = []
-            for line in process.stderr:
-                said.append(line.strip())
-                if "Ctrl-C" in line:
-                    break
-        finally:
-            process.kill()
-            process.wait(PATIENCE_S)
+def a_class_that_opens_says_what_a_teacher_has_to_tell(process: subprocess.Popen[str], folder: Path) -> str:
+    """Where pupils reach it. `process`: the class, in English; `folder`: its own."""
+    assert process.stdout is not None
+    assert process.stderr is not None
+    address = process.stdout.readline().strip().partition("teacher?")[0]
+    said = []
+    for line in process.stderr:
+        said.append(line.strip())
+        if "Ctrl-C" in line:
+            break
     code = tomllib.loads((folder / "class.toml").read_text())["code"]
     words = "\n".join(said)
     assert f"Pupils open {address}\nand type the code {code[:3]} {code[3:]}" in words
     assert "Only this machine can reach the class; for pupils at others start it with `--host" in words
     assert f"Programs of pupils run on this machine. For more than a few pupils write a site into {folder}" in words
     assert f"The work of the class is in the folder {folder}." in words
+    return address
 
 
 @pytest.mark.parametrize(

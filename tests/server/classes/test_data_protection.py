@@ -13,6 +13,7 @@ from urllib.request import Request, urlopen
 
 from tests.patience import PATIENCE_S
 from tests.server.classes.conftest import hand_in
+from tests.server.classes.test_class_start import a_class_that_opens_says_what_a_teacher_has_to_tell
 
 WATCH = """
 import os, sys
@@ -36,7 +37,9 @@ def ask(address: str, key: str = "", **given: Any) -> bytes:
     return found
 
 
-def test_a_class_writes_only_into_its_folder_and_the_state_folder_and_calls_nobody(tmp_path: Path) -> None:
+def test_a_class_says_how_it_is_reached_writes_only_into_its_folder_and_the_state_folder_and_calls_nobody(
+    tmp_path: Path,
+) -> None:
     folder, home, watched = tmp_path / "Class 5b", tmp_path / "home", tmp_path / "watched"
     for made in (home, tmp_path / "watch"):
         made.mkdir()
@@ -46,15 +49,21 @@ def test_a_class_writes_only_into_its_folder_and_the_state_folder_and_calls_nobo
     environment = {
         **os.environ,
         **{name: str(tmp_path / place) for name, place in places.items()},
-        **{"HOME": str(home), "PYTHONPATH": search, "WATCHED": str(watched), "PYTHONDONTWRITEBYTECODE": "1"},
+        **{
+            "KITROBOT_LANGUAGE": "en",
+            "LC_ALL": "C",
+            "HOME": str(home),
+            "PYTHONPATH": search,
+            "WATCHED": str(watched),
+            "PYTHONDONTWRITEBYTECODE": "1",
+        },
     }
     command = [sys.executable, "-m", "kitrobot", "class", str(folder), "--no-browser", "--port", "0"]
     with subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, env=environment, cwd=home
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment, cwd=home
     ) as process:
         try:
-            assert process.stdout is not None
-            address = process.stdout.readline().strip().partition("teacher?")[0]
+            address = a_class_that_opens_says_what_a_teacher_has_to_tell(process, folder)
             code = tomllib.loads((folder / "class.toml").read_text())["code"]
             key = json.loads(ask(f"{address}api/class/join", code=code, name="Ada"))["key"]
             ask(address)

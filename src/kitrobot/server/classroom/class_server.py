@@ -19,6 +19,7 @@ from kitrobot.server.classroom.certificate import usable_certificate
 from kitrobot.server.hosts import host_number, is_loopback
 from kitrobot.server.presence import Presence
 from kitrobot.server.studio_server import ServerError, has_screen, listen, print_address
+from kitrobot.text.collection import collection_paused
 from kitrobot.text.sentences import Sentence
 from kitrobot.translation.reader_language import translate
 
@@ -89,9 +90,11 @@ def _serve(room: ClassRoom, address: str, opening: ClassSettings, site: Path | N
         listening.append(listen("127.0.0.1", number))
     # Only now: where it cannot listen, nobody waits for the web server to load.
     from kitrobot.classroom.overview import JoinAddress
-    from kitrobot.server.classroom.app import create_class_app
-    from kitrobot.server.classroom.gateway import new_key
-    from kitrobot.server.web_server import run_server
+
+    with collection_paused():
+        from kitrobot.server.classroom.app import create_class_app
+        from kitrobot.server.classroom.gateway import new_key
+        from kitrobot.server.web_server import run_server
 
     scheme = "http" if tls is None else "https"
     shown = _own_address() if _is_any(address) else address
