@@ -1,5 +1,4 @@
 /** What is different between the mission and its file, and both merged: a choice for what both changed, one step of undo. */
-import { act } from "react";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
 import type { Conflicted, Merged } from "../api/generated";
@@ -10,7 +9,7 @@ import { CARRIER, fileOf, missionOf } from "../model/testing/missions";
 import { useDocument } from "../session/document";
 import { revisionMerged } from "../session/merges";
 import { type Hands, handsOn } from "../testing/hands";
-import { mount, type Mounted } from "../testing/hooks";
+import { mount, type Mounted, settle } from "../testing/hooks";
 import { DifferenceSheet } from "./DifferenceSheet";
 
 await moreWords();
@@ -19,13 +18,6 @@ const READ = missionOf(CARRIER);
 const [MINE, THEIRS, MERGED] = ["mine", "theirs", "merged"].map((world) => ({ ...READ, world }));
 let page: Mounted;
 let hands: Hands;
-
-async function settle(what: () => unknown): Promise<void> {
-  await act(async () => {
-    what();
-    for (let turn = 0; turn < 10; turn++) await Promise.resolve();
-  });
-}
 
 beforeEach(async () => {
   useStudio.getState().openMission({ ...fileOf(READ), path: "a.krt", name: "a.krt", revision: "r1" });

@@ -1,12 +1,11 @@
 /** Coming in: what is wrong is said, and a name that is taken asks for the word or the teacher's yes. */
-import { act } from "react";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
 import { classApi } from "../../api/class";
 import { ApiError } from "../../api/client";
 import { moreWords } from "../../i18n/words";
 import { type Hands, handsOn } from "../../testing/hands";
-import { mount, type Mounted } from "../../testing/hooks";
+import { mount, type Mounted, settle } from "../../testing/hooks";
 import { Join } from "./Join";
 
 await moreWords();
@@ -18,20 +17,14 @@ beforeEach(async () => {
   vi.spyOn(classApi, "about").mockResolvedValue({ name: "5b", joining: true } as never);
   page = mount(<Join />);
   hands = handsOn(page);
-  await act(() => Promise.resolve());
+  await settle();
 });
 afterEach(() => {
   page.end();
   vi.restoreAllMocks();
 });
 
-async function press(testId: string): Promise<void> {
-  await act(async () => {
-    hands.find(testId).click();
-    await Promise.resolve();
-    await Promise.resolve();
-  });
-}
+const press = (testId: string) => settle(() => hands.find(testId).click());
 
 it("a code is written in capitals, and one that is wrong is said with what helps", async () => {
   const join = vi.spyOn(classApi, "join").mockRejectedValue(new ApiError("Not the code.", "Ask your teacher.", 403));

@@ -1,5 +1,4 @@
 /** The teacher's page: how to come in, cards of pupils, one looked on, and what is done with one or with all. */
-import { act } from "react";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
 import { classApi } from "../../../api/class";
@@ -11,7 +10,7 @@ import { moreWords } from "../../../i18n/words";
 import { emptyProgram } from "../../../model/commands/changePrograms";
 import { type ClassWire, holdClassWire } from "../../../testing/class-wire";
 import { type Hands, handsOn } from "../../../testing/hands";
-import { mount, type Mounted } from "../../../testing/hooks";
+import { mount, type Mounted, settle } from "../../../testing/hooks";
 import * as files from "../../../ui/download";
 import { useDesk } from "./store";
 import { Teacher } from "./Teacher";
@@ -82,12 +81,6 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-async function settle(what: () => void): Promise<void> {
-  await act(async () => {
-    what();
-    for (let turn = 0; turn < 10; turn++) await Promise.resolve();
-  });
-}
 const tell = (news: Partial<ClassNewsMessage>) => settle(() => wire.tell({ ...NEWS, ...news }));
 const show = (...changed: Partial<Pupil>[]) =>
   settle(() =>
