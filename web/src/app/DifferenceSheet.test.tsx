@@ -36,15 +36,12 @@ afterEach(() => {
 
 function answer(taken: boolean): Merged {
   const conflict = { name: "c", what: "the duration", sentence: "", ours: "5", theirs: "44", taken, open: true };
-  return { revision: "r2", mission: MERGED, theirs: THEIRS, conflicts: [conflict as Conflicted] } as Merged;
+  return { revision: "r2", mission: MERGED, theirs: THEIRS, conflicts: [conflict] } as Merged;
 }
 
 it("is told in words; what both changed is chosen, and the merge is one step that undo takes back", async () => {
   expect(hands.find("differences").textContent).toContain("44 → 5");
-  const merge = vi
-    .spyOn(journalApi, "merge")
-    .mockResolvedValueOnce(answer(false))
-    .mockResolvedValueOnce(answer(true));
+  const merge = vi.spyOn(journalApi, "merge").mockResolvedValueOnce(answer(false)).mockResolvedValueOnce(answer(true));
   await settle(() => hands.find("merge").click());
   expect(merge.mock.calls[0]).toEqual(["a.krt", READ, MINE, []]);
   expect(hands.find("conflicts").textContent).toContain("the duration");

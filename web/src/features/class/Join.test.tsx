@@ -14,7 +14,7 @@ let page: Mounted;
 let hands: Hands;
 
 beforeEach(async () => {
-  vi.spyOn(classApi, "about").mockResolvedValue({ name: "5b", joining: true } as never);
+  vi.spyOn(classApi, "about").mockResolvedValue({ name: "5b", joining: true });
   page = mount(<Join />);
   hands = handsOn(page);
   await settle();

@@ -16,9 +16,21 @@ await moreWords();
 function entry(name: string, level: number, topic: string, robots: string[]): MissionEntry {
   const example = { level, topics: [{ name: topic, label: { "": topic } }], robots, agents: 1, parts: 3 };
   const words = { label: { "": name }, help: { "": `It ${name}s.` } };
-  return { path: `example:${name}/${name}.krt`, name, title: "", modified: name, problem: "", ...words, example } as never;
+  return {
+    path: `example:${name}/${name}.krt`,
+    name,
+    title: "",
+    modified: name,
+    problem: "",
+    ...words,
+    example,
+  };
 }
-const EXAMPLES = [entry("square", 1, "moving", ["carrier"]), entry("blink", 1, "lights", ["microbit"]), entry("convoy", 3, "teams", ["carrier"])];
+const EXAMPLES = [
+  entry("square", 1, "moving", ["carrier"]),
+  entry("blink", 1, "lights", ["microbit"]),
+  entry("convoy", 3, "teams", ["carrier"]),
+];
 
 const chosen = vi.fn();
 let page: Mounted;
@@ -94,7 +106,13 @@ it("a picture is fetched as it comes into sight and moves while it is seen, unle
   const ask = vi.spyOn(client, "ask").mockResolvedValue(preview);
   const pen = { setTransform: vi.fn() };
   vi.spyOn(HTMLCanvasElement.prototype, "getContext").mockReturnValue(pen as never);
-  vi.stubGlobal("ResizeObserver", class { observe = vi.fn(); disconnect = vi.fn(); });
+  vi.stubGlobal(
+    "ResizeObserver",
+    class {
+      observe = vi.fn();
+      disconnect = vi.fn();
+    },
+  );
   expect(ask).not.toHaveBeenCalled();
   await settle(() => seen[0]?.(true));
   await settle();

@@ -68,7 +68,7 @@ beforeEach(() => {
   vi.spyOn(partsApi, "kits").mockResolvedValue([KIT as never]);
   vi.spyOn(partsApi, "fits").mockResolvedValue([
     { kit: "", missing: [], problem: "" },
-    { kit: "tank", missing: [{ part: "Motor", label: { "": "Motor" } }], problem: "No." } as never,
+    { kit: "tank", missing: [{ part: "Motor", label: { "": "Motor" } }], problem: "No." },
   ]);
   useStudio.getState().openMission(fileOf(missionOf(CARRIER)));
   useBoards.setState({ ...useBoards.getInitialState(), you: "me", ports: [], kits: { [ADDRESS]: "" } });
@@ -129,7 +129,9 @@ it("what is edited after it was sent is sent anew", async () => {
   await openCard();
   hands.click("robot-send");
   await hear({});
-  page?.act(() => useStudio.getState().execute({ label: "E", execute: (one) => ({ ...one, programs: [...one.programs] }) }));
+  page?.act(() =>
+    useStudio.getState().execute({ label: "E", execute: (one) => ({ ...one, programs: [...one.programs] }) }),
+  );
   hands.click("robot-run");
   expect(sent().map(({ type }) => type)).toEqual(["send", "send"]);
 });
@@ -160,7 +162,7 @@ it("a robot of another page can only be stopped here", async () => {
   expect(sent()).toEqual([{ type: "stop", address: ADDRESS }]);
 });
 
-it("one key runs every robot that this page has, and the only one there is, which it greets first", async () => {
+it("one key runs every robot that this page has, and the only one there is, which it greets first", () => {
   const other = "socket://127.0.0.1:4001";
   useBoards.setState({ typed: [ADDRESS, other], kits: { [ADDRESS]: "", [other]: "" } });
   for (const address of [ADDRESS, other]) takeMessage({ ...BOARD, address });
@@ -182,9 +184,7 @@ it("parts are tried one at a time: a value, one that is slow, one that is broken
   });
   const steps = [step("Wheel", "Wheel.Advance(40)"), step("Button", "")];
   await openCard({ bench: { step: null, value: null, slow: false, failed: [] } });
-  await settle(() =>
-    takeMessage({ type: "steps", address: ADDRESS, steps: steps as never, left_out: [] }),
-  );
+  await settle(() => takeMessage({ type: "steps", address: ADDRESS, steps: steps as never, left_out: [] }));
   const rows = () => [...(page?.place.querySelectorAll<HTMLElement>('[data-testid="bench-step"]') ?? [])];
   const find = (row: number, testId: string) => rows()[row]?.querySelector<HTMLElement>(`[data-testid="${testId}"]`);
   expect(hands.find("bench").textContent).toContain("Lift the wheels off the ground first.");
@@ -270,7 +270,7 @@ it("where the browser cannot reach boards that is said in the place of the butto
 
 it("MicroPython is copied to a board that shows a drive; what is not for it is told", async () => {
   const drive = { folder: "/media/RPI-RP2", board: "RPI-RP2", chip: "RP2040" };
-  const look = vi.spyOn(firmwareApi, "look").mockResolvedValue({ drives: [], page: "" } as never);
+  const look = vi.spyOn(firmwareApi, "look").mockResolvedValue({ drives: [], page: "" });
   const flash = vi.spyOn(firmwareApi, "flash").mockRejectedValueOnce(new Error("It is for RP2350."));
   // jsdom scrolls nothing.
   Element.prototype.scrollIntoView = vi.fn();
@@ -281,7 +281,7 @@ it("MicroPython is copied to a board that shows a drive; what is not for it is t
     details?.dispatchEvent(new Event("toggle"));
   });
   expect(hands.has("firmware-none")).toBe(true);
-  look.mockResolvedValue({ drives: [drive], page: "" } as never);
+  look.mockResolvedValue({ drives: [drive], page: "" });
   await settle(() => hands.click("firmware-look"));
   expect(hands.find("firmware-drive").textContent).toBe("RPI-RP2 · RP2040");
   expect(hands.find<HTMLButtonElement>("firmware-copy").disabled).toBe(true);
@@ -296,7 +296,7 @@ it("MicroPython is copied to a board that shows a drive; what is not for it is t
   await act(() => vi.waitFor(() => expect(flash).toHaveBeenCalledWith("pico.uf2", drive.folder, expect.anything())));
   await settle();
   expect(hands.find("firmware-trouble").textContent).toContain("It is for RP2350.");
-  flash.mockResolvedValue({ board: "Pico", micropython: "1.27.0" } as never);
+  flash.mockResolvedValue({ board: "Pico", micropython: "1.27.0" });
   hands.click("firmware-copy");
   await act(() => vi.waitFor(() => expect(flash).toHaveBeenCalledTimes(2)));
   await settle();

@@ -136,7 +136,7 @@ it("a recording that is cut off says so, and one that pauses at a part", async (
   page.act(() =>
     useStudio.getState().execute({
       label: "Pause",
-      execute: (mission) => ({ ...mission, breakpoints: [breakpoint] }) as never,
+      execute: (mission) => ({ ...mission, breakpoints: [breakpoint] }),
     }),
   );
   expect(says()).toContain("Pause here");

@@ -23,7 +23,7 @@ beforeEach(() => {
   useTutorial.setState({ ...useTutorial.getInitialState(), welcomed: isWelcomed() });
   useDocument.setState({ ready: true });
   open("");
-  setTutorials([{ name: "t", label: { "": "First steps" }, steps: [{}] } as Tutorial]);
+  setTutorials([{ name: "t", label: { "": "First steps" }, steps: [{}] } as unknown as Tutorial]);
   page = mount(<Welcome />);
 });
 afterEach(() => {
@@ -45,6 +45,6 @@ it("greets a newcomer above a new mission or an example, not above a file, and n
 });
 
 it("is not there where no tutorial can be used", () => {
-  page.act(() => setTutorials([{ name: "t", label: {}, steps: [] as unknown } as Tutorial]));
+  page.act(() => setTutorials([{ name: "t", label: {}, steps: [] } as unknown as Tutorial]));
   expect(isThere()).toBe(false);
 });

@@ -83,9 +83,7 @@ afterEach(() => {
 
 const tell = (news: Partial<ClassNewsMessage>) => settle(() => wire.tell({ ...NEWS, ...news }));
 const show = (...changed: Partial<Pupil>[]) =>
-  settle(() =>
-    wire.tell({ type: "pupils", changed: changed.map((one) => ({ ...ZOE, ...one })), gone: [], kept_s: 0 }),
-  );
+  settle(() => wire.tell({ type: "pupils", changed: changed.map((one) => ({ ...ZOE, ...one })), gone: [], kept_s: 0 }));
 const press = (testId: string) => settle(() => hands.find(testId).click());
 const pressed = (testId: string) => hands.find(testId).getAttribute("aria-pressed");
 
