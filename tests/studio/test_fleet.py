@@ -46,6 +46,8 @@ def test_a_team_is_started_glows_and_is_stopped(open_studio: Callable[..., Studi
     find_nothing(studio, "a team that runs")
     studio.at("crew-watch").click()
     expect(studio.page.locator(ACTIVE).first).to_be_visible()
+    # What is watched takes the place of the panel.
+    studio.page.keyboard.press("Alt+r")
     studio.at("crew-stop").click()
     expect(studio.at("crew-status")).to_contain_text(re.compile("stood still within [0-9]+ ms"))
     status_is(studio.page, "stopped")

@@ -246,6 +246,10 @@ def test_the_mission_a_menu_an_inspector_and_a_dozen_mistakes(open_studio: OpenS
     "each screen in French: tests/studio/test_clipping.py"
 )
 @each_language
+@pytest.mark.thorough(
+    "the test above; tests/translation and web/src/i18n/words.test.ts: each sentence has its translations; no "
+    "drawing has words of its own: kitrobot/spoken-words in web/eslint.config.js"
+)
 def test_menus_sheets_palette_inspector_outline_help_team_a_dozen_mistakes_and_a_tutorial(
     open_studio: OpenStudio, language: str
 ) -> None:

@@ -52,7 +52,7 @@ def test_the_first_load_fits_in_290_kb_and_what_edits_text_comes_with_the_first_
     assert any(path.endswith(".woff2") for path in files), "letters count"
     none_comes_before_it_is_used(files, language)
     is_light(files)
-    keys_that_are_pressed_before_what_edits_text_is_there_are_typed(studio)
+    studio.edit_code()
     files = fetched(studio)
     assert any("/editing" in path for path in files)
     is_light(files, MOST_BYTES_WITH_EDITING)
@@ -91,9 +91,11 @@ def test_every_icon_of_what_ships_travels_with_the_page() -> None:
 
 @pytest.mark.thorough(
     "the test of the first load above: none comes before it is used; web/src/ui/later.test.tsx: a part is fetched "
-    "at its first use"
+    "at its first use; held-keys.test.ts: keys that are pressed before it are given to it"
 )
-def test_a_sheet_is_fetched_at_its_first_use(open_studio: OpenStudio) -> None:
+def test_a_sheet_comes_at_its_first_use_and_keys_are_typed_that_come_before_what_edits_text(
+    open_studio: OpenStudio,
+) -> None:
     studio = open_studio(TRANSPORT, first_visit=True, locale="en")
     first = fetched(studio)
     is_light(first)
@@ -101,3 +103,5 @@ def test_a_sheet_is_fetched_at_its_first_use(open_studio: OpenStudio) -> None:
     studio.page.keyboard.press("?")
     expect(studio.page.get_by_role("dialog")).to_be_visible()
     assert any("/Sheets" in path for path in fetched(studio))
+    studio.page.keyboard.press("Escape")
+    keys_that_are_pressed_before_what_edits_text_is_there_are_typed(studio)

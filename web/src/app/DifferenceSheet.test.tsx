@@ -1,7 +1,7 @@
 /** What is different between the mission and its file, and both merged: a choice for what both changed, one step of undo. */
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
-import type { Conflicted, Merged } from "../api/generated";
+import type { Merged } from "../api/generated";
 import { journalApi } from "../api/journal";
 import { moreWords } from "../i18n/words";
 import { useStudio } from "../model/studio";

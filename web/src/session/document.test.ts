@@ -179,7 +179,7 @@ describe("saving", () => {
     await vi.waitFor(() => expect(useStudio.getState().file.revision).toBe("r9"));
   });
 
-  it("leaves what is changed meanwhile unsaved, and the next save goes on from this one", async () => {
+  it("leaves what is changed meanwhile unsaved; the next save waits for this one and goes on from it", async () => {
     edit();
     let answer: (saved: Saved) => void = () => undefined;
     const asked = vi
@@ -189,9 +189,12 @@ describe("saving", () => {
     const saving = save();
     await vi.waitFor(() => expect(asked).toHaveBeenCalledOnce());
     useStudio.getState().execute({ label: "More", execute: () => ({ ...MISSION, world: "third.world.xml" }) });
+    const next = save();
+    await Promise.resolve();
+    expect(asked).toHaveBeenCalledOnce();
     answer({ path: "a.krt", revision: "r2", locked: true });
     expect([await saving, useStudio.getState().dirty]).toEqual([false, true]);
-    expect([await save(), useStudio.getState().dirty]).toEqual([true, false]);
+    expect([await next, useStudio.getState().dirty]).toEqual([true, false]);
     expect(asked.mock.calls.map(([, revision, mission]) => [revision, mission.world])).toEqual([
       ["r1", "other.world.xml"],
       ["r2", "third.world.xml"],
