@@ -63,8 +63,8 @@ def an_example_that_gets_the_focus_comes_into_sight_and_stays_there(studio: Stud
 
 
 @pytest.mark.thorough(
-    "web/src/features/gallery/Gallery.test.tsx: cards of examples; the journey below opens one and its picture is "
-    "drawn; tests/workspace/test_previews.py"
+    "web/src/features/gallery/Gallery.test.tsx: under an empty program; the journey below opens an example and "
+    "its picture is drawn; tests/workspace/test_previews.py"
 )
 def test_a_new_program_offers_examples_with_pictures_and_one_that_gets_the_focus_comes_into_sight(
     open_studio: OpenStudio,

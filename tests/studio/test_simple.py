@@ -36,8 +36,9 @@ def test_a_new_user_sees_no_details_until_the_switch_says_so(open_studio: OpenSt
 
 
 @pytest.mark.thorough(
-    "the test above; web/src/session/simple-view.test.ts: no detail is shown, and by one switch each, which is "
-    "remembered; web/src/app/Shortcuts.test.tsx: lines are found by other words"
+    "the test above; web/src/session/simple-view.test.ts: by one switch each, remembered; "
+    "app/AddProgram.test.tsx; features/run/bars.test.tsx: the timeline; app/Shortcuts.test.tsx: lines are found "
+    "by other words"
 )
 def test_menus_keys_and_the_timeline_have_no_details_until_the_switch_says_so(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE, first_visit=True)

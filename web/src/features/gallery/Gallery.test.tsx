@@ -6,8 +6,10 @@ import * as client from "../../api/client";
 import { moreWords } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { CARRIER, fileOf, missionOf } from "../../model/testing/missions";
+import { useDocument } from "../../session/document";
 import { type Hands, handsOn } from "../../testing/hands";
 import { mount, type Mounted, settle } from "../../testing/hooks";
+import { Examples } from "./Examples";
 import { Gallery } from "./Gallery";
 import { usePlays } from "./plays";
 
@@ -129,4 +131,22 @@ it("a picture is fetched as it comes into sight and moves while it is seen, unle
   page.act(() => cards()[0]?.focus());
   page.act(() => seen.at(-1)?.(true));
   expect(moves()).toBe("true");
+});
+
+it("under an empty program stand the easiest ones and the last, with their sizes, and the way to all", async () => {
+  page.end();
+  const more = ["a", "b", "c"].map((name) => entry(name, 2, "moving", ["carrier"]));
+  vi.spyOn(client.api, "missions").mockResolvedValue([...EXAMPLES.slice(0, 2), ...more, ...EXAMPLES.slice(2)]);
+  const opened = vi.spyOn(client.api, "mission").mockReturnValue(new Promise(() => undefined));
+  await settle(() => {
+    page = mount(<Examples />);
+  });
+  hands = handsOn(page);
+  expect(names()).toEqual(["square", "blink", "a", "convoy"]);
+  expect(cards()[0]?.textContent).toContain("3 parts");
+  hands.click("all-examples");
+  expect(useDocument.getState().overlay).toBe("open");
+  page.act(() => cards()[0]?.click());
+  await vi.waitFor(() => expect(opened).toHaveBeenCalledWith("example:square/square.krt"));
+  useDocument.setState(useDocument.getInitialState());
 });

@@ -7,6 +7,7 @@ import { CARRIER, fileOf, missionOf } from "../../model/testing/missions";
 import { useDisk } from "../../session/disk";
 import type { OpenRecording } from "../../session/recordings";
 import { useRun } from "../../session/run";
+import { chooseSimple } from "../../session/simple-view";
 import { type Hands, handsOn } from "../../testing/hands";
 import { mount, type Mounted, settle } from "../../testing/hooks";
 import { BehindBar } from "./BehindBar";
@@ -149,4 +150,14 @@ it("what is shown of real robots is their past, and leads to now; who watches do
   expect(follow).toHaveBeenCalledOnce();
   page.act(() => useRun.setState({ watching: true }));
   expect(hands.has("follow")).toBe(false);
+});
+
+it("the moment on the timeline has its tick, but not in the simple view", async () => {
+  useRun.setState({ status: "paused", abilities: ["seek"], tick: 100, seconds: 2, latest: 300, tickMs: 20 });
+  await open(<EventStrip />);
+  const says = () => hands.find("event-strip").getAttribute("aria-valuetext");
+  expect(says()).toContain("tick 100");
+  page.act(() => chooseSimple(true));
+  expect(says()).toMatch(/^[\d:.]+$/u);
+  page.act(() => chooseSimple(false));
 });
