@@ -5,6 +5,7 @@ import globals from "globals";
 import tseslint from "typescript-eslint";
 
 import { moduleState, ownStore } from "./build/store-rule.js";
+import { spokenWords } from "./build/words-rule.js";
 
 export default defineConfig([
   globalIgnores(["dist", "coverage"]),
@@ -58,8 +59,10 @@ export default defineConfig([
     files: ["src/**/*.{ts,tsx}"],
     // Tests put stores into the state that they begin with.
     ignores: ["src/**/*.test.{ts,tsx}", "src/testing/**"],
-    plugins: { kitrobot: { rules: { "own-store": ownStore, "module-state": moduleState } } },
-    rules: { "kitrobot/own-store": "error", "kitrobot/module-state": "error" },
+    plugins: {
+      kitrobot: { rules: { "own-store": ownStore, "module-state": moduleState, "spoken-words": spokenWords } },
+    },
+    rules: { "kitrobot/own-store": "error", "kitrobot/module-state": "error", "kitrobot/spoken-words": "error" },
   },
   {
     // No state of the page: what is fetched or made once, the line to the server, what a browser gives one of, and the press

@@ -41,8 +41,9 @@ def again(studio: Studio, robot: HostBoard) -> Locator:
 
 
 def expect_robot(robot: Locator, **states: str) -> None:
+    """Waits for states of a robot: each look of `expect` would describe the whole page, and sending takes many."""
     for name, value in states.items():
-        expect(robot.get_by_test_id("robot-state")).to_have_attribute(f"data-{name}", value)
+        robot.locator(f'[data-testid="robot-state"][data-{name}="{value}"]').wait_for()
 
 
 def run_anew(robot: Locator) -> None:

@@ -94,9 +94,14 @@ class Visit:
         self.context.on("console", lambda message: said.get(message.type, []).append(message.text))
 
 
+def wait_for_python(page: Page) -> None:
+    """Waits until the studio of the page is there; in each frame would take half of the time that Python needs."""
+    page.wait_for_function(IS_OPEN, polling=300)
+
+
 def opened(page: Page, address: str) -> Studio:
     page.goto(address)
-    page.wait_for_function(IS_OPEN)
+    wait_for_python(page)
     return Studio(page, Path(), [])
 
 

@@ -113,5 +113,5 @@ class Studio:
         self.at("speed").press("End")
 
     def wait_until_done(self) -> None:
-        """Waits until the run has ended as done."""
-        expect(self.at("status")).to_contain_text("Done")
+        """Waits until the run has ended as done; each look of `expect` would describe the whole page."""
+        self.at("status").filter(has_text="Done").wait_for()

@@ -53,6 +53,10 @@ def a_mistake_is_seen_from_far_away(studio: Studio) -> None:
     expect(studio.page.locator(".trouble")).to_have_count(0)
 
 
+@pytest.mark.thorough(
+    "web/src/features/canvas/Plain.test.tsx: blocks without words, selected, named, with a sign of trouble; "
+    "camera.test.ts: the zoom"
+)
 def test_far_away_there_are_blocks_that_are_selected_named_and_tell_of_mistakes_and_close_by_words(
     open_studio: OpenStudio,
 ) -> None:

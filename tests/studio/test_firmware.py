@@ -18,6 +18,10 @@ from tests.studio.test_variables import forgive_refusals
 pytestmark = pytest.mark.browser
 
 
+@pytest.mark.thorough(
+    "web/src/features/robots/RobotPanel.test.tsx and Firmware.test.tsx; tests/server/test_firmware.py: a drive is "
+    "listed and takes a file"
+)
 def test_a_file_is_copied_to_a_board_and_the_kit_says_what_it_needs(
     open_studio: Callable[..., Studio], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

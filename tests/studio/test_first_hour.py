@@ -12,7 +12,6 @@ from playwright.sync_api import Locator, expect
 from tests.effort import cases
 from tests.studio.conftest import Studio
 from tests.studio.studio_page import place_of
-from tests.studio.test_first_minutes import Hands
 from tests.studio.test_stage import SEEN
 
 pytestmark = pytest.mark.browser
@@ -47,6 +46,34 @@ def documented() -> dict[str, dict[str, int | None]]:
         for row in rows
         if len(row) == 5 and row[0] not in {"Task", "---"}
     }
+
+
+class Hands:
+    """Does what a user does, and counts it: a click, a tap, a drag, a key are one each."""
+
+    def __init__(self, studio: Studio) -> None:
+        self.studio = studio
+        self.made = 0
+
+    def click(self, at: Locator | str) -> None:
+        self.made += 1
+        self._at(at).click()
+
+    def tap(self, at: Locator | str) -> None:
+        self.made += 1
+        self._at(at).tap()
+
+    def drop(self, part: str, target: Locator | str) -> None:
+        self.made += 1
+        self.studio.drag(self.studio.at(f"part-{part}"), self._at(target))
+
+    def keys(self, *keys: str) -> None:
+        for key in keys:
+            self.made += 1
+            self.studio.page.keyboard.press(key)
+
+    def _at(self, at: Locator | str) -> Locator:
+        return self.studio.at(at) if isinstance(at, str) else at
 
 
 class Doer(Hands):
@@ -175,15 +202,10 @@ TASKS: dict[str, Callable[[Doer], None]] = {
     "A wall, a ball and a robot": make_a_world,
 }
 SQUARE, WALLS, TUNE, WORLD = TASKS
-USUAL: list[object] = [
-    (SQUARE, "mouse"),
-    (SQUARE, "keys"),
-    (SQUARE, "touch"),
-    (WALLS, "mouse"),
-    (TUNE, "touch"),
-    (WORLD, "mouse"),
-]
-MORE: list[object] = [(WALLS, "keys"), (WALLS, "touch"), (TUNE, "mouse")]
+USUAL: list[object] = [(SQUARE, "mouse"), (SQUARE, "touch")]
+"""With keys: from nothing in `test_new_mission.py` and `test_keys.py`."""
+MORE: list[object] = [(SQUARE, "keys"), *((WALLS, device) for device in DEVICES)]
+MORE += [(TUNE, "touch"), (TUNE, "mouse"), (WORLD, "mouse")]
 
 
 def the_square_is_large_at_the_end(studio: Studio, least: int) -> None:
@@ -195,6 +217,7 @@ def the_square_is_large_at_the_end(studio: Studio, least: int) -> None:
     drawing = studio.page.evaluate(SEEN, [studio.at("arena-canvas").element_handle(), *INK])
     assert drawing["width"] >= least
     assert drawing["inside"]
+    assert drawing["height"] == pytest.approx(drawing["width"], rel=0.2)
 
 
 def a_robot_without_music_says_which_one_has_it(studio: Studio) -> None:

@@ -1,12 +1,11 @@
-"""How many clicks, keys or taps lead from nothing to a square that is driven and drawn, with no help read."""
+"""What somebody meets in the first minutes, beside the tasks that `test_first_hour.py` counts."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import Locator, expect
+from playwright.sync_api import expect
 
 from tests.effort import cases
 from tests.studio.conftest import Studio
@@ -14,106 +13,6 @@ from tests.studio.conftest import Studio
 pytestmark = pytest.mark.browser
 
 OpenStudio = Callable[..., Studio]
-
-SQUARE = "Pen.PenDown();10*(  Wheel.DriveBy(30);  Motor.LeftBy(90););"
-
-
-class Hands:
-    """Does what a user does, and counts it: a click, a tap, a drag, a key are one each."""
-
-    def __init__(self, studio: Studio) -> None:
-        self.studio = studio
-        self.made = 0
-
-    def click(self, at: Locator | str) -> None:
-        self.made += 1
-        self._at(at).click()
-
-    def tap(self, at: Locator | str) -> None:
-        self.made += 1
-        self._at(at).tap()
-
-    def drop(self, part: str, target: Locator | str) -> None:
-        self.made += 1
-        self.studio.drag(self.studio.at(f"part-{part}"), self._at(target))
-
-    def keys(self, *keys: str) -> None:
-        for key in keys:
-            self.made += 1
-            self.studio.page.keyboard.press(key)
-
-    def _at(self, at: Locator | str) -> Locator:
-        return self.studio.at(at) if isinstance(at, str) else at
-
-
-def new_sheet(open_studio: OpenStudio, **device: object) -> Studio:
-    """An empty folder, with the sheet that it begins with."""
-    studio = open_studio(None, **device)
-    studio.page.reload()
-    expect(studio.at("new-starter-draw-square/draw-square.krt")).to_be_checked()
-    if not device:
-        expect(studio.at("new-robots-mini-robot")).to_be_focused()
-    return studio
-
-
-def expect_square(studio: Studio) -> None:
-    """The program is there and is run to its end, and what its pen left is as high as it is wide."""
-    studio.expect_code(SQUARE)
-    # The slider has no room on a phone.
-    studio.at("menu-Run").click()
-    studio.at("menu-run-as-fast").click()
-    studio.wait_until_done()
-    studio.at("arena-show").click()
-    with studio.page.expect_download() as drawing:
-        studio.at("menu-drawing").click()
-    lines = re.findall(r'<path d="([^"]+)"', drawing.value.path().read_text(encoding="utf-8"))
-    numbers = [float(number) for number in re.findall(r"[\d.]+", " ".join(lines))]
-    width, height = (max(axis) - min(axis) for axis in (numbers[::2], numbers[1::2]))
-    assert width > 100
-    assert height == pytest.approx(width, rel=0.2)
-
-
-def test_seven_clicks_and_drags_are_enough(open_studio: OpenStudio) -> None:
-    studio = new_sheet(open_studio)
-    hands = Hands(studio)
-    hands.click(studio.page.locator("label", has=studio.at("new-starter-nothing")))
-    hands.click("new-begin")
-    studio.expect_opened()
-    hands.drop("Repetition", "first-place")
-    hands.drop("Pen.PenDown", "arc-start.next")
-    hands.drop("Wheel.DriveBy", studio.page.locator('.first-place[data-testid$=".body"]'))
-    drive = studio.page.locator(".vertex.is-selected").get_attribute("data-testid") or ""
-    hands.drop("Motor.LeftBy", f"arc-{drive.removeprefix('vertex-')}.next")
-    hands.click("run-button")
-    expect_square(studio)
-    assert hands.made <= 7
-
-
-def test_twenty_two_keys_are_enough(open_studio: OpenStudio) -> None:
-    studio = new_sheet(open_studio)
-    hands = Hands(studio)
-    hands.keys("Tab", "Tab", "ArrowUp", "Enter")
-    studio.expect_opened()
-    for letters in ("pe", "re", "dr", "lef"):
-        hands.keys("/", *letters, "Enter")
-    hands.keys("F5")
-    expect_square(studio)
-    assert hands.made <= 22
-
-
-def test_eight_taps_on_a_phone_are_enough(open_studio: OpenStudio) -> None:
-    studio = new_sheet(open_studio, viewport={"width": 390, "height": 800}, has_touch=True, is_mobile=True)
-    hands = Hands(studio)
-    hands.tap(studio.page.locator("label", has=studio.at("new-starter-nothing")))
-    hands.tap("new-begin")
-    studio.expect_opened()
-    hands.tap("room-palette")
-    for part in ("Pen.PenDown", "Repetition", "Wheel.DriveBy", "Motor.LeftBy"):
-        hands.tap(f"part-{part}")
-    hands.tap("run-button")
-    expect_square(studio)
-    assert hands.made <= 8
-
 
 SEEN = """(row) => {
     const [at, list] = [row.getBoundingClientRect(), row.closest('.palette-list').getBoundingClientRect()];
@@ -156,6 +55,7 @@ def test_the_whole_program_stays_in_view_when_the_window_is_another_one(open_stu
     expect(studio.at("arena-large")).to_be_in_viewport(ratio=1)
 
 
+@pytest.mark.thorough("web/src/features/palette/RobotButton.test.tsx; web/src/model/commands/changeRobot.test.ts")
 def test_the_robot_is_changed_above_its_parts_and_undo_gives_back_the_one_before(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt")
     studio.at("palette-robot").click()

@@ -20,7 +20,7 @@ pytestmark = pytest.mark.browser
 
 NAMES = [path.stem for path in sorted(EXAMPLES.glob("*/*.krt")) if path.parent.name != "exercises"]
 ALL = [(name, size) for name in NAMES for size in SIZES]
-USUAL = [("tidy-up", "1440"), ("door", "390")]
+USUAL = [("tidy-up", "1440")]
 CASES = ALL if WRITTEN else cases(USUAL, [case for case in ALL if case not in USUAL])
 LEAST = {"1440": (15, 180), "390": (10, 120)}
 """The least length of a robot and of a trail, in px, at each width."""

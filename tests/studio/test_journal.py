@@ -27,6 +27,35 @@ def saved_journal(answer: Response) -> bool:
     return request.method == "PUT" and request.url.endswith("/api/journal") and not sent.get("unsaved", True)
 
 
+def test_after_a_kill_a_page_goes_on_with_the_next_studio_and_its_work_is_there_for_another_page_with_its_undo(
+    start: Start, mission: Path, context: BrowserContext
+) -> None:
+    server = start(mission)
+    page = server.open(context)
+    edit_and_keep(page, 7)
+    server.kill()
+    page.locator(".vertex", has_text="Wait").first.click()
+    page.keyboard.press("Delete")
+    with page.expect_response(re.compile("/api/journal$")) as kept:
+        again = start(mission)
+    assert kept.value.ok
+    assert again.address.partition("?")[0] == server.address.partition("?")[0]
+    expect(page.get_by_test_id("banner")).to_contain_text("The studio started anew")
+    page.close(run_before_unload=False)
+    page = again.open(context)
+    expect(page.get_by_test_id("banner")).to_contain_text("Your unsaved work on blink.krt is back")
+    expect(page.get_by_test_id("code")).not_to_contain_text("WAIT")
+    page.keyboard.press("Control+z")
+    expect_wait(page, 7)
+    page.keyboard.press("Control+s")
+    expect(page.get_by_test_id("saved-state")).to_have_text("saved")
+    assert mission.read_text() == MISSION.format(7)
+
+
+@pytest.mark.thorough(
+    "the test above; a request with the token of the studio that is gone: web/src/api/again.test.ts; what is said: "
+    "web/src/app/Title.test.tsx and Banner.test.tsx"
+)
 def test_a_page_goes_on_with_the_studio_that_started_after_a_kill(
     start: Start, mission: Path, context: BrowserContext
 ) -> None:
@@ -83,6 +112,9 @@ def test_another_studio_at_the_address_gets_nothing_of_a_page(
         other.wait(PATIENCE_S)
 
 
+@pytest.mark.thorough(
+    "the first test of this file; web/src/session/journal.test.ts: brings a mission back with its undo and redo"
+)
 def test_after_a_kill_the_work_is_there_with_its_undo(start: Start, mission: Path, context: BrowserContext) -> None:
     server = start(mission)
     page = server.open(context)
@@ -109,6 +141,7 @@ def test_after_a_kill_the_work_is_there_with_its_undo(start: Start, mission: Pat
     assert mission.read_text() == MISSION.format(7)
 
 
+@pytest.mark.thorough("web/src/session/early-work.test.ts: what came back can be discarded")
 def test_work_that_is_discarded_is_gone_for_good(studio: Studio) -> None:
     page = studio.page
     edit_and_keep(page, 7)
@@ -126,8 +159,7 @@ def test_work_that_is_discarded_is_gone_for_good(studio: Studio) -> None:
 
 
 @pytest.mark.thorough(
-    "web/src/session/journal.test.ts: a mission is brought back with its undo; loaded again: "
-    "test_a_page_goes_on_with_the_studio_that_started_after_a_kill"
+    "web/src/session/journal.test.ts: a mission is brought back with its undo; in another page: the first test above"
 )
 def test_a_page_that_is_loaded_again_goes_on(studio: Studio) -> None:
     page = studio.page
@@ -218,11 +250,20 @@ def the_file_is_merged_into_what_was_changed_here_and_undo_takes_it_back(studio:
     forgive_refusals(studio)
 
 
+@pytest.mark.thorough(
+    "web/src/session/document.test.ts: the person chooses when the file was changed meanwhile; "
+    "app/DifferenceSheet.test.tsx and session/merges.test.ts; tests/server/test_journal.py: differences and "
+    "merges"
+)
 def test_a_file_that_changed_is_saved_over_after_a_question_or_merged_and_undo_takes_that_back(studio: Studio) -> None:
     a_save_over_a_changed_file_asks_and_shows_the_difference(studio)
     the_file_is_merged_into_what_was_changed_here_and_undo_takes_it_back(studio)
 
 
+@pytest.mark.thorough(
+    "tests/server/test_journal.py: two pages know of each other; web/src/app/Title.test.tsx says so; "
+    "document.test.ts asks before it saves over a changed file"
+)
 def test_two_windows_know_of_each_other_and_overwrite_nothing_silently(studio: Studio) -> None:
     first, second = studio.page, another_tab(studio)
     mission = studio.folder / "blink.krt"

@@ -21,6 +21,11 @@ def open_file(page: Page, name: str, data: bytes) -> None:
     page.get_by_test_id("open-file").set_input_files({"name": name, "mimeType": "", "buffer": data})
 
 
+@pytest.mark.thorough(
+    "web/src/session/early-work.test.ts: work that is left is in the journal, and that is said; "
+    "app/Banner.test.tsx: focus and Escape; features/gallery/OpenSheet.test.tsx: it is listed; "
+    "tests/server/test_journal.py"
+)
 def test_work_that_is_left_without_saving_is_said_to_be_kept_and_is_there_under_open(
     studio: Studio, tmp_path: Path
 ) -> None:
@@ -69,6 +74,10 @@ def test_work_that_is_left_without_saving_is_said_to_be_kept_and_is_there_under_
     assert not later.exists()
 
 
+@pytest.mark.thorough(
+    "web/src/session/document.test.ts: unsaved changes go when the person says so, without a journal after a second "
+    "question; journal.test.ts says when it cannot be written"
+)
 def test_work_that_the_journal_cannot_hold_is_not_left_without_a_word(studio: Studio) -> None:
     page = studio.page
     banner = page.get_by_test_id("banner")
@@ -105,6 +114,7 @@ def test_a_file_that_gives_no_mission_is_refused_and_the_open_one_stays(studio: 
     forgive_refusals(studio)
 
 
+@pytest.mark.thorough("web/src/app/Title.test.tsx; web/src/session/journal.test.ts goes on after a lost connection")
 def test_without_its_server_a_page_claims_nothing_of_its_file(
     start: Start, mission: Path, context: BrowserContext
 ) -> None:
@@ -148,6 +158,10 @@ def what_is_changed_while_it_is_saved_stays_unsaved_and_saves_next(studio: Studi
     assert mission.read_text() == MISSION.format(6)
 
 
+@pytest.mark.thorough(
+    "web/src/session/document.test.ts: what is changed while it is saved stays unsaved; app/Title.test.tsx and "
+    "disk.test.ts: another file on disk"
+)
 def test_what_is_changed_while_it_is_saved_stays_unsaved_and_a_window_on_an_older_file_says_so(studio: Studio) -> None:
     what_is_changed_while_it_is_saved_stays_unsaved_and_saves_next(studio)
     a_window_on_an_older_file_does_not_say_that_it_is_saved(studio)

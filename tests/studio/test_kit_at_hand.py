@@ -13,6 +13,10 @@ from tests.studio.looks import find_nothing
 pytestmark = pytest.mark.browser
 
 
+@pytest.mark.thorough(
+    "web/src/features/robots/RobotPanel.test.tsx: a kit and its robot; palette/Palette.test.tsx: parts follow the "
+    "kit; web/src/session/kit.test.ts: it is remembered"
+)
 def test_the_parts_and_the_robot_follow_the_kit_that_was_chosen_without_a_board(
     open_studio: Callable[..., Studio], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -228,6 +228,28 @@ def a_tutorial(studio: Studio, language: str) -> None:
 
 
 @each_language
+def test_the_mission_a_menu_an_inspector_and_a_dozen_mistakes(open_studio: OpenStudio, language: str) -> None:
+    studio = open_studio("transport/transport.krt")
+    choose(studio, language)
+    meets_no_english(studio, language, "the mission")
+    assert studio.page.evaluate(CUT_OFF) == []
+    studio.page.locator(".vertex").nth(5).click()
+    meets_no_english(studio, language, "the inspector")
+    studio.at("menu-File").click()
+    meets_no_english(studio, language, "File")
+    studio.page.keyboard.press("Escape")
+    a_dozen_mistakes_with_their_helps(studio, language)
+
+
+@pytest.mark.thorough(
+    "the test above; no sentence is without its translations: tests/translation and web/src/i18n/words.test.ts; "
+    "each screen in French: tests/studio/test_clipping.py"
+)
+@each_language
+@pytest.mark.thorough(
+    "the test above; tests/translation and web/src/i18n/words.test.ts: each sentence has its translations; no "
+    "drawing has words of its own: kitrobot/spoken-words in web/eslint.config.js"
+)
 def test_menus_sheets_palette_inspector_outline_help_team_a_dozen_mistakes_and_a_tutorial(
     open_studio: OpenStudio, language: str
 ) -> None:
@@ -239,9 +261,7 @@ def test_menus_sheets_palette_inspector_outline_help_team_a_dozen_mistakes_and_a
     a_tutorial(studio, language)
 
 
-@pytest.mark.thorough(
-    "tests/server/test_languages.py: how a run ends; menus_sheets_palette_inspector_outline_and_help: F1"
-)
+@pytest.mark.thorough("tests/server/test_languages.py: how a run ends; web/src/i18n/words.test.ts")
 @each_language
 def test_help_for_every_part_and_how_a_run_ends(open_studio: OpenStudio, language: str) -> None:
     studio = open_studio("square/square.krt")

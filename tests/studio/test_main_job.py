@@ -42,16 +42,6 @@ def pause_step_and_resume_count_ticks(studio: Studio) -> None:
     studio.wait_until_done()
 
 
-def test_a_run_glows_is_stopped_paused_stepped_and_moves_all_stock_from_a_to_b(open_studio: OpenStudio) -> None:
-    studio = open_studio(TRANSPORT)
-    expect(studio.at("arena-summary")).to_contain_text("A 12, B 0")
-    active_vertices_glow_for_the_agent_whose_tab_is_open(studio)
-    pause_step_and_resume_count_ticks(studio)
-    expect(studio.at("arena-summary")).to_contain_text("12 of 12 delivered")
-    expect(studio.at("arena-summary")).to_contain_text("A 0, B 12")
-    expect(studio.at("arena-summary")).not_to_contain_text("collision")
-
-
 def a_part_dropped_on_an_arc_is_set_in_the_inspector_deleted_undone_and_saved(studio: Studio) -> None:
     studio.drop("Wait", "arc-start.next")
     studio.expect_code("WAIT(10);")
@@ -69,9 +59,25 @@ def a_part_dropped_on_an_arc_is_set_in_the_inspector_deleted_undone_and_saved(st
     text = (studio.folder / "transport.krt").read_text(encoding="utf-8")
     assert 'element="Wait"' in text
     assert '<set name="duration">7</set>' in text
-    studio.full_speed()
-    studio.at("run-button").click()
-    studio.wait_until_done()
+
+
+def the_stock_of_a_is_in_b_after_a_run(studio: Studio) -> None:
+    summary = studio.at("arena-summary")
+    expect(summary).to_contain_text("12 of 12 delivered")
+    expect(summary).to_contain_text("A 0, B 12")
+    expect(summary).not_to_contain_text("collision")
+
+
+def test_a_run_glows_is_paused_and_stepped_and_a_part_is_dropped_set_deleted_undone_and_saved(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio(TRANSPORT)
+    expect(studio.at("arena-summary")).to_contain_text("A 12, B 0")
+    active_vertices_glow_for_the_agent_whose_tab_is_open(studio)
+    pause_step_and_resume_count_ticks(studio)
+    the_stock_of_a_is_in_b_after_a_run(studio)
+    studio.at("tab-carrier").click()
+    a_part_dropped_on_an_arc_is_set_in_the_inspector_deleted_undone_and_saved(studio)
 
 
 def mistakes_appear_in_problems_and_go_when_mended(studio: Studio) -> None:
@@ -97,11 +103,12 @@ def a_new_program_is_drawn_from_nothing(studio: Studio) -> None:
     assert parse(code).ok
 
 
-def test_mistakes_are_mended_a_part_is_dropped_set_deleted_undone_saved_and_a_new_program_drawn(
-    open_studio: OpenStudio,
-) -> None:
+@pytest.mark.thorough(
+    "web/src/features/problems/ProblemList.test.tsx and session/fixes.test.ts; tests/studio/test_fixes.py mends "
+    "by key and by click; a program from nothing: test_first_hour.py"
+)
+def test_mistakes_are_mended_and_a_new_program_is_drawn(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     mistakes_appear_in_problems_and_go_when_mended(studio)
     studio.take_back()
-    a_part_dropped_on_an_arc_is_set_in_the_inspector_deleted_undone_and_saved(studio)
     a_new_program_is_drawn_from_nothing(studio)

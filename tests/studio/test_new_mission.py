@@ -80,7 +80,7 @@ def a_name_that_a_file_has_is_not_taken_by_a_new_mission(studio: Studio) -> None
     expect(studio.at("title")).to_contain_text("maze-2.krt")
 
 
-def the_robot_of_a_team_and_its_place_are_what_was_chosen(studio: Studio) -> None:
+def the_robot_and_its_place_are_what_was_chosen(studio: Studio) -> None:
     studio.page.keyboard.press("Control+Alt+n")
     choose(studio, "new-robots-line-follower")
     choose(studio, "new-place-maze.world.xml")
@@ -105,11 +105,20 @@ def a_robot_of_the_folder_is_one_to_begin_with(studio: Studio) -> None:
     expect(studio.at("object-Lamp")).to_be_visible()
 
 
-def test_a_mission_begins_with_two_keys_with_what_was_chosen_and_with_a_robot_of_the_folder(
+def test_a_mission_begins_with_two_keys_and_with_what_was_chosen(open_studio: OpenStudio) -> None:
+    studio = open_studio(None)
+    two_keys_lead_from_nothing_to_a_square_that_is_driven(studio)
+    the_robot_and_its_place_are_what_was_chosen(studio)
+
+
+@pytest.mark.thorough(
+    "web/src/session/mission-path.test.ts: a name that is taken gets a number; tests/server/test_parts.py: a "
+    "robot of the folder is in the catalogue, whose robots the sheet shows: web/src/features/new- "
+    "mission/choosing.test.ts"
+)
+def test_a_name_that_is_taken_is_not_used_and_a_robot_of_the_folder_is_one_to_begin_with(
     open_studio: OpenStudio,
 ) -> None:
     studio = open_studio(None)
-    two_keys_lead_from_nothing_to_a_square_that_is_driven(studio)
     a_name_that_a_file_has_is_not_taken_by_a_new_mission(studio)
-    the_robot_of_a_team_and_its_place_are_what_was_chosen(studio)
     a_robot_of_the_folder_is_one_to_begin_with(studio)

@@ -64,27 +64,15 @@ def test_a_dropped_recording_plays_is_stepped_sought_and_run_live(open_studio: O
     expect(studio.at("tab-carrier")).to_be_visible()
     expect(studio.at("saved-state")).to_have_text("from a recording")
     at = held(studio)
-    find_nothing(studio, "a recording", within=".bottom-bar, [data-testid='recording-bar']")
     latest = value(studio, "aria-valuemax")
     assert latest > 2000
     assert at < latest
-    expect(studio.page.locator(".strip-events [data-kind=unload]").first).to_be_attached()
     expect(studio.page.locator(".vertex.is-active").first).to_be_attached()
     studio.at("event-strip").focus()
     studio.page.keyboard.press("Home")
     expect_tick(studio, 0)
-    studio.page.keyboard.press("PageUp")
-    expect_tick(studio, 50)
     studio.page.keyboard.press("F10")
-    expect_tick(studio, 51)
-    studio.page.keyboard.press("F9")
-    studio.page.keyboard.press("F9")
-    expect_tick(studio, 49)
-    studio.at("step-vertex-button").click()
-    expect(studio.at("event-strip")).not_to_have_attribute("aria-valuenow", "49")
-    studio.at("watch-button").click()
-    expect(studio.at("watch-Dock").get_by_role("textbox")).to_be_disabled()
-    studio.at("event-strip").focus()
+    expect_tick(studio, 1)
     studio.page.keyboard.press("End")
     expect_tick(studio, latest)
     expect(studio.at("status")).to_have_attribute("data-status", DONE)
@@ -92,14 +80,15 @@ def test_a_dropped_recording_plays_is_stepped_sought_and_run_live(open_studio: O
     find_nothing(studio, "the end of a recording", within=".bottom-bar, [data-testid='recording-bar']")
     studio.full_speed()
     studio.at("run-recorded").click()
-    expect(bar).to_have_attribute("data-playing", "false")
     expect(bar).to_contain_text("runs anew")
     studio.wait_until_done()
     assert value(studio, "aria-valuemax") == latest, "the same mission and seed are the same run"
-    studio.at("play-recording").click()
-    expect(bar).to_have_attribute("data-playing", "true")
 
 
+@pytest.mark.thorough(
+    "tests/server/test_recordings.py: the run so far is saved with what was done to it, and listed; "
+    "web/src/session/recordings.test.ts: by which name; the journey above plays one"
+)
 def test_the_run_is_saved_with_what_was_done_to_it_and_shows_it_again(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt")
     studio.page.locator(".vertex", has_text="Lamp On").click()
@@ -164,6 +153,10 @@ def test_axe_finds_nothing_while_a_recording_plays(
     find_nothing(studio, "the end of a recording", within=".bottom-bar, [data-testid='recording-bar']")
 
 
+@pytest.mark.thorough(
+    "tests/server/test_recordings.py: what is no recording, and one that is cut off; test_recorded_breakpoints.py "
+    "pauses each time; web/src/features/run/bars.test.tsx says so"
+)
 def test_what_is_no_recording_is_said_and_one_pauses_at_a_part_each_time_it_is_played(
     open_studio: OpenStudio, tmp_path: Path
 ) -> None:

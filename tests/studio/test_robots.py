@@ -1,4 +1,8 @@
-"""Real robots in the studio: greeted, run, watched, interfered with, stopped; by mouse and by keys."""
+"""Real robots in the studio: greeted, run, watched, interfered with, stopped, lost; by mouse and by keys.
+
+What is said of each state and what each button sends: `web/src/features/robots/RobotPanel.test.tsx`; what comes of it:
+`tests/server/test_boards.py` and `test_robot_runs.py`.
+"""
 
 from __future__ import annotations
 
@@ -41,6 +45,37 @@ def a_robot_runs_glows_is_watched_and_stopped(studio: Studio, robot: Locator) ->
     expect_robot(robot, state="ready")
     expect(studio.page.locator(ACTIVE)).to_have_count(0)
     expect(studio.at("status")).to_have_attribute("data-status", "stopped")
+
+
+def what_is_shown_is_paused_and_follows_the_robot_again(studio: Studio, robot: Locator) -> None:
+    robot.get_by_test_id("robot-run").click()
+    expect_robot(robot, state="running")
+    studio.at("pause-button").click()
+    expect(studio.at("behind-bar")).to_contain_text("does not pause them")
+    expect_robot(robot, state="running")
+    studio.at("follow").click()
+    expect(studio.at("behind-bar")).to_have_count(0)
+
+
+def what_a_lost_robot_did_is_played(studio: Studio, board: HostBoard, robot: Locator) -> None:
+    board.pull()
+    expect_robot(robot, phase="lost")
+    expect(robot.get_by_test_id("robot-trouble")).to_contain_text("motors stop within one second")
+    robot.get_by_test_id("robot-play-recording").click()
+    expect(studio.at("recording-bar")).to_contain_text("a recording of a real robot")
+    expect(studio.at("event-strip").locator('[data-kind="failure"] title')).to_contain_text("is lost")
+
+
+def test_a_robot_is_run_watched_paused_in_what_is_shown_lost_and_what_it_did_is_played(
+    pulse: OpenStudio, robots: Callable[..., HostBoard]
+) -> None:
+    studio = pulse()
+    board = robots()
+    robot = connect(studio, board)
+    find_nothing(studio, "a robot that runs")
+    a_robot_runs_glows_is_watched_and_stopped(studio, robot)
+    what_is_shown_is_paused_and_follows_the_robot_again(studio, robot)
+    what_a_lost_robot_did_is_played(studio, board, robot)
 
 
 def what_is_shown_is_paused_and_gone_back_in_and_follows_the_robot_again(studio: Studio, robot: Locator) -> None:
@@ -145,6 +180,11 @@ def another_window_watches_what_the_robot_does(studio: Studio, robot: Locator) -
     expect(studio.at("status")).to_have_attribute("data-status", "idle")
 
 
+@pytest.mark.thorough(
+    "the test above; tests/server/test_boards.py: held, on its own, of another page; test_robot_runs.py: "
+    "breakpoints, going back, another window; what is shown: web/src/features/run/bars.test.tsx, "
+    "session/run.test.ts"
+)
 def test_a_robot_is_run_watched_paused_in_what_is_shown_and_held_by_its_page_or_runs_on_its_own(
     pulse: OpenStudio, robots: Callable[..., HostBoard]
 ) -> None:
@@ -191,6 +231,10 @@ def keys_alone_run_and_stop_every_robot(studio: Studio, both: list[Locator]) -> 
         expect_robot(robot, state="ready")
 
 
+@pytest.mark.thorough(
+    "web/src/features/robots/RobotPanel.test.tsx: without a robot, an address that is none, one key runs every "
+    "robot; the keys are those of web/src/app/keys.test.ts"
+)
 def test_a_robot_is_found_by_its_address_and_keys_alone_run_and_stop_every_robot(
     pulse: OpenStudio, robots: Callable[..., HostBoard]
 ) -> None:
@@ -205,6 +249,7 @@ def test_a_robot_is_found_by_its_address_and_keys_alone_run_and_stop_every_robot
     "the tests above and test_robots_recorded.py in the light theme; colours: web/src/theme/tokens.test.ts"
 )
 @pytest.mark.parametrize("look", [("dark", "ur"), ("contrast", "fr")], ids=str)
+@pytest.mark.thorough("the first test of this file in the light theme; colours: web/src/theme/tokens.test.ts")
 def test_axe_finds_nothing_on_the_robots(
     pulse: OpenStudio, robots: Callable[..., HostBoard], look: tuple[str, ...]
 ) -> None:

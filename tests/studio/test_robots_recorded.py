@@ -28,6 +28,10 @@ def a_lost_link_is_said_and_the_robot_is_greeted_again(studio: Studio, robot: Lo
     expect_robot(robot, phase="closed")
 
 
+@pytest.mark.thorough(
+    "test_robots.py: what a lost robot did is played; tests/server/test_robot_recording.py: what was done to it "
+    "and a lost link are in the file; web/src/features/debug/events.test.ts: the list"
+)
 def test_a_run_whose_link_is_lost_is_saved_and_opens_on_the_timeline_with_what_was_done_to_it(
     pulse: OpenStudio, robots: Callable[..., HostBoard]
 ) -> None:
@@ -79,6 +83,10 @@ def test_a_run_whose_link_is_lost_is_saved_and_opens_on_the_timeline_with_what_w
     expect(value).to_have_value("0")
 
 
+@pytest.mark.thorough(
+    "web/src/features/robots/RobotPanel.test.tsx: a fault names its place and leads there; "
+    "tests/server/test_robot_recording.py: it ends the recording where it happened"
+)
 def test_a_fault_leads_to_its_vertex_and_so_does_its_recording(
     pulse: OpenStudio, robots: Callable[..., HostBoard]
 ) -> None:

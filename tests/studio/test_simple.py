@@ -30,6 +30,18 @@ def test_a_new_user_sees_no_details_until_the_switch_says_so(open_studio: OpenSt
     studio = open_studio(SQUARE, first_visit=True)
     for detail in DETAILS:
         expect(studio.at(detail)).to_have_count(0)
+    switch(studio)
+    for detail in DETAILS:
+        expect(studio.at(detail)).to_have_count(1)
+
+
+@pytest.mark.thorough(
+    "the test above; web/src/session/simple-view.test.ts: by one switch each, remembered; "
+    "app/AddProgram.test.tsx; features/run/bars.test.tsx: the timeline; app/Shortcuts.test.tsx: lines are found "
+    "by other words"
+)
+def test_menus_keys_and_the_timeline_have_no_details_until_the_switch_says_so(open_studio: OpenStudio) -> None:
+    studio = open_studio(SQUARE, first_visit=True)
     studio.at("add-program").click()
     expect(studio.page.get_by_role("menu")).to_contain_text("Mini-robot")
     expect(studio.at("menu-add-team-program")).to_have_count(0)
@@ -45,8 +57,6 @@ def test_a_new_user_sees_no_details_until_the_switch_says_so(open_studio: OpenSt
     studio.page.keyboard.press("Escape")
     studio.page.keyboard.press("Escape")
     switch(studio)
-    for detail in DETAILS:
-        expect(studio.at(detail)).to_have_count(1)
     studio.page.reload()
     expect(studio.at("tab-of-team")).to_be_visible()
     # The moment on the timeline has its tick, or not.
@@ -176,6 +186,10 @@ def test_nothing_that_opens_leaves_the_window(open_studio: OpenStudio, turn: int
     assert found == []
 
 
+@pytest.mark.thorough(
+    "web/src/session/drag.test.ts: what is let go over the parts is thrown away; a finger "
+    "drags a part: tests/studio/test_touch.py"
+)
 def test_a_finger_throws_a_part_away_on_the_parts(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE, viewport={"width": 1024, "height": 768}, has_touch=True, is_mobile=True)
     hand = RobotSession(studio)

@@ -22,8 +22,8 @@ pytestmark = [
     pytest.mark.site,
     pytest.mark.boards,
     pytest.mark.thorough(
-        "studio/test_site.py with one board; panel and server: test_page_ports, test_robots, test_try_parts; "
-        "answers while a board is sent to: server/test_in_page_server.py"
+        "test_page_ports.py: a board at a page of the installed studio; the site: test_site.py, without a board; bytes "
+        "to and from its Python: web/src/site/worker-line.test.ts; answers meanwhile: server/test_in_page_server.py"
     ),
 ]
 

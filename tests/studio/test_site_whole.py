@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.studio.conftest import IS_OPEN, Studio
-from tests.studio.sites import MEMORY, FileServer, Visit, follow_link, opened
+from tests.studio.conftest import Studio
+from tests.studio.sites import MEMORY, FileServer, Visit, follow_link, opened, wait_for_python
 from tests.studio.test_check import greedy_text
 from tests.studio.test_exercises import JAM
 from tests.studio.test_files_out import keep
@@ -118,13 +118,13 @@ def with_each_tab_alone_where_there_are_no_locks(page: Page, address: str) -> Pa
     """So it is at an address to which the browser gives no locks, such as that of another machine without `https`."""
     page.add_init_script(NO_LOCKS)
     page.reload()
-    page.wait_for_function(IS_OPEN)
+    wait_for_python(page)
     other = page.context.new_page()
     other.add_init_script(NO_LOCKS)
     other.goto(address)
     expect(other.get_by_test_id("site")).to_contain_text("open in another tab")
     page.close()
-    other.wait_for_function(IS_OPEN)
+    wait_for_python(other)
     return other
 
 

@@ -17,6 +17,10 @@ from tests.studio.looks import find_nothing
 pytestmark = pytest.mark.browser
 
 
+@pytest.mark.thorough(
+    "web/src/features/robots/RobotPanel.test.tsx: the question, each state of a step; tests/server/test_bench.py: "
+    "a step runs until another one and tells its value or what is broken; tests/boards/test_bench.py on a board"
+)
 def test_a_robot_is_built_of_a_kit_and_its_parts_are_tried_by_hand(
     open_studio: Callable[..., Studio], monkeypatch: pytest.MonkeyPatch
 ) -> None:

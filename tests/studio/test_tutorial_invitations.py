@@ -33,6 +33,10 @@ def test_a_tutorial_in_the_folder_appears_and_one_with_a_mistake_says_which(open
     expect(studio.at("menu-help-tutorial-bad.tutorial.xml")).to_have_count(0)
 
 
+@pytest.mark.thorough(
+    "web/src/features/learn/learn.test.tsx: under an empty program stand the next ones, and nothing while a "
+    "lesson is open"
+)
 def test_an_empty_program_invites_to_a_tutorial(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     studio.new_mission()
@@ -43,6 +47,7 @@ def test_an_empty_program_invites_to_a_tutorial(open_studio: OpenStudio) -> None
     expect(studio.page.locator(".teaching .learn-card")).to_have_count(0)
 
 
+@pytest.mark.thorough("web/src/features/tutorial/Welcome.test.tsx")
 def test_a_newcomer_is_welcomed_once(open_studio: OpenStudio) -> None:
     studio = open_studio(None)
     welcome = studio.at("welcome")

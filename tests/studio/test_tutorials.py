@@ -56,9 +56,19 @@ def first_steps_until_run(studio: Studio) -> None:
     at_step(studio, 3)
 
 
+def the_hint_shows_the_part_that_is_meant_and_lies_over_nothing(studio: Studio) -> None:
+    expect(studio.at("part-Pen.PenDown")).to_have_css("outline-style", "dashed")
+    studio.at("tutorial-show").click()
+    expect(studio.at("tutorial-hint")).to_contain_text("press /, type Pen down")
+    find_nothing(studio, "the hint", within=PANEL)
+    canvas, panel = place_of(studio.at("canvas")), place_of(studio.at("tutorial"))
+    assert panel["y"] + panel["height"] <= canvas["y"] + 1
+
+
 def test_first_steps_draw_a_square_with_seven_actions_of_the_mouse(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "first-steps")
+    the_hint_shows_the_part_that_is_meant_and_lies_over_nothing(studio)
     studio.full_speed()
     # An action each: to drop a part, to type a number, to run.
     first_steps_until_run(studio)
@@ -78,7 +88,7 @@ def test_first_steps_draw_a_square_with_seven_actions_of_the_mouse(open_studio: 
 
 
 @pytest.mark.thorough(
-    "test_first_steps_draw_a_square_with_seven_actions_of_the_mouse; test_first_minutes.py, with keys"
+    "test_first_steps_draw_a_square_with_seven_actions_of_the_mouse; with keys: test_keys.py and test_new_mission.py"
 )
 def test_first_steps_by_keyboard_alone_in_urdu(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
@@ -251,6 +261,10 @@ def hints_come_when_asked_for_and_lead_to_what_is_meant(studio: Studio) -> None:
     assert panel["y"] + panel["height"] <= canvas["y"] + 1
 
 
+@pytest.mark.thorough(
+    "web/src/features/tutorial: Panel.test.tsx gives the hint, points.test.ts leads to what is meant, "
+    "state.test.ts skips, goes back, and takes up again; the hint on the page: the test above"
+)
 def test_hints_lead_to_what_is_meant_and_steps_are_skipped_left_and_taken_up_again(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
     begin(studio, "first-steps")
@@ -310,6 +324,10 @@ def test_what_was_saved_elsewhere_is_where_it_goes_on(open_studio: OpenStudio) -
     done(studio, 1)
 
 
+@pytest.mark.thorough(
+    "test_first_steps_draw_a_square_with_seven_actions_of_the_mouse looks at a step and its hint with axe; the path to "
+    "learn: test_exercises.py; colours: web/src/theme/tokens.test.ts; its place: tests/studio/test_clipping.py"
+)
 @pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_and_nothing_overlaps(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio(None)

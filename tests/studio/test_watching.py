@@ -1,4 +1,8 @@
-"""Two windows on one mission: what runs in the one is watched in the other."""
+"""Two windows on one mission: what runs in the one is watched in the other.
+
+What each is told: `tests/server/test_broadcast.py`; what is offered, and what cannot be pressed meanwhile:
+`web/src/features/run/bars.test.tsx`.
+"""
 
 from __future__ import annotations
 
@@ -101,6 +105,17 @@ def a_window_with_another_state_of_the_mission_is_told_so(studio, other):
     studio.take_back()
 
 
+def test_a_run_is_watched_in_another_window_which_shows_the_same_and_is_over_with_its_own(open_studio):
+    studio = open_studio(TRANSPORT)
+    other = watched(studio)
+    a_run_is_offered_to_the_other_window_and_watched_there(studio, other)
+    the_run_is_over_when_its_window_is_closed(studio, other)
+
+
+@pytest.mark.thorough(
+    "the test above; web/src/features/run/bars.test.tsx: offered, another mission, left; session/run.test.ts: it "
+    "is left with STOP, and over when the page that steers is gone; tests/server/test_broadcast.py"
+)
 def test_a_run_is_offered_to_another_window_watched_left_and_over_with_its_window(open_studio):
     studio = open_studio(TRANSPORT)
     expect(studio.at("watching-bar")).to_have_count(0)

@@ -34,6 +34,12 @@ def fetched(studio: Studio) -> dict[str, int]:
     return dict(studio.page.evaluate(FETCHED))
 
 
+def none_comes_before_it_is_used(files: dict[str, int], language: str) -> None:
+    others = [f"/{one}-" for one in ("fr", "ur") if one != language]
+    later = ["/all-", "/more-", "/Sheets", "/Panel", "/editing", *others]
+    assert [path for path in files if any(name in path for name in later)] == []
+
+
 TRANSPORT, BLINK = "transport/transport.krt", "blink/blink.krt"
 
 
@@ -44,7 +50,7 @@ def test_the_first_load_fits_in_290_kb_and_what_edits_text_comes_with_the_first_
     studio = open_studio(example, first_visit=True, locale=language)
     files = fetched(studio)
     assert any(path.endswith(".woff2") for path in files), "letters count"
-    assert not any("/editing" in path for path in files)
+    none_comes_before_it_is_used(files, language)
     is_light(files)
     studio.edit_code()
     files = fetched(studio)
@@ -83,13 +89,17 @@ def test_every_icon_of_what_ships_travels_with_the_page() -> None:
     assert sorted(named - travels) == [], "such a name makes the page fetch every icon there is"
 
 
-def test_what_is_fetched_later_is_not_fetched_at_first(open_studio: OpenStudio) -> None:
+@pytest.mark.thorough(
+    "the test of the first load above: none comes before it is used; web/src/ui/later.test.tsx: a part is fetched "
+    "at its first use; held-keys.test.ts: keys that are pressed before it are given to it"
+)
+def test_a_sheet_comes_at_its_first_use_and_keys_are_typed_that_come_before_what_edits_text(
+    open_studio: OpenStudio,
+) -> None:
     studio = open_studio(TRANSPORT, first_visit=True, locale="en")
     first = fetched(studio)
     is_light(first)
-    assert [
-        path for path in first if any(name in path for name in ("/all-", "/more-", "/fr-", "/ur-", "/Sheets", "/Panel"))
-    ] == []
+    none_comes_before_it_is_used(first, "en")
     studio.page.keyboard.press("?")
     expect(studio.page.get_by_role("dialog")).to_be_visible()
     assert any("/Sheets" in path for path in fetched(studio))

@@ -2,6 +2,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 
 import { begin } from "../app/beginning";
 import { api } from "../api/client";
+import type { Saved } from "../api/generated";
 import { emptyProgram } from "../model/commands/changePrograms";
 import { useStudio } from "../model/studio";
 import type { Mission, MissionFile } from "../model/types";
@@ -176,6 +177,30 @@ describe("saving", () => {
     await save();
     choose("Open the one on disk");
     await vi.waitFor(() => expect(useStudio.getState().file.revision).toBe("r9"));
+  });
+
+  it("leaves what is changed meanwhile unsaved; the next save waits for this one and goes on from it", async () => {
+    edit();
+    let answer: (saved: Saved) => void = () => undefined;
+    const asked = vi
+      .spyOn(api, "saveMission")
+      .mockReturnValueOnce(new Promise((resolve) => (answer = resolve)))
+      .mockResolvedValueOnce({ path: "a.krt", revision: "r3", locked: true });
+    const saving = save();
+    await vi.waitFor(() => expect(asked).toHaveBeenCalledOnce());
+    useStudio.getState().execute({ label: "More", execute: () => ({ ...MISSION, world: "third.world.xml" }) });
+    const next = save();
+    await Promise.resolve();
+    expect(asked).toHaveBeenCalledOnce();
+    answer({ path: "a.krt", revision: "r2", locked: true });
+    expect([await saving, useStudio.getState().dirty]).toEqual([false, true]);
+    expect([await next, useStudio.getState().dirty]).toEqual([true, false]);
+    expect(asked.mock.calls.map(([, revision, mission]) => [revision, mission.world])).toEqual([
+      ["r1", "other.world.xml"],
+      ["r2", "third.world.xml"],
+    ]);
+    expect(banner()).toBeNull();
+    vi.restoreAllMocks();
   });
 
   it("says what went wrong and loses nothing", async () => {

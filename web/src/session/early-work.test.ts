@@ -1,7 +1,8 @@
 /** Work on a mission that is drawn before the studio is there: it goes on, is kept, and nothing of it is lost. */
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
-import { ApiError } from "../api/client";
+import { api, ApiError } from "../api/client";
+import { t } from "../i18n/words";
 import { emptyProgram } from "../model/commands/changePrograms";
 import { useStudio } from "../model/studio";
 import type { Mission, MissionFile } from "../model/types";
@@ -9,6 +10,7 @@ import { useDocument } from "./document";
 import { earlyWorkOn, hasEarlyWork, keepEarlyWork } from "./early-work";
 import { flush, keepJournal, type Store } from "./journal";
 import { recover } from "./journal-records";
+import { openPath } from "./open-requests";
 import { drawAhead, take } from "./opening";
 
 const MISSION: Mission = { version: 1, programs: [emptyProgram("p", "r")], agents: [], goals: [], world: "" };
@@ -168,6 +170,43 @@ it("what the journal has of the mission is opened where nothing was done to it n
   beginStudio();
   await take(FILE);
   expect(world()).toBe("left");
+});
+
+it("what came back can be discarded: then the file is open as it is on disk, and the journal is empty", async () => {
+  beginStudio();
+  await take(FILE);
+  edit("left");
+  await flush();
+  left = records;
+  end();
+  forgetPage();
+  beginStudio();
+  await take(FILE);
+  expect([world(), useDocument.getState().banner?.message]).toEqual(["left", "Your unsaved work on a.krt is back."]);
+  left = [];
+  vi.spyOn(api, "mission").mockResolvedValue(FILE);
+  useDocument
+    .getState()
+    .banner?.actions.find(({ label }) => label === "Discard it")
+    ?.run();
+  await vi.waitFor(() => expect(world()).toBe(""));
+  await flush();
+  expect([records, useStudio.getState().dirty, useDocument.getState().banner]).toEqual([[], false, null]);
+  vi.restoreAllMocks();
+});
+
+it("work that is left for another mission is in the journal, and that is said", async () => {
+  beginStudio();
+  await take(FILE);
+  edit("left");
+  vi.spyOn(api, "mission").mockResolvedValue({ ...FILE, path: "b.krt", name: "b.krt" });
+  openPath("b.krt");
+  const asks = useDocument.getState().banner;
+  expect([asks?.takesFocus, asks?.help]).toEqual([true, t("journal.leave-help")]);
+  asks?.actions.find(({ label }) => label === "Go on without saving")?.run();
+  await vi.waitFor(() => expect(useStudio.getState().file.path).toBe("b.krt"));
+  await vi.waitFor(() => expect(useDocument.getState().banner?.message).toBe("Unsaved work on a.krt is kept."));
+  vi.restoreAllMocks();
 });
 
 it("work that no journal takes stays with the browser", async () => {

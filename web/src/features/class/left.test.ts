@@ -1,15 +1,19 @@
 /** What a pupil who left leaves for the next one at the same computer: a place of its own, which that one deletes. */
-import { afterEach, expect, test, vi } from "vitest";
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
 
 import { homeOf } from "../../api/home";
+import * as token from "../../api/token";
 import { forgetKept, forgetLeft, leaveFiles } from "./left";
 
-vi.mock("../../api/token", () => ({ pupilName: () => "Ada's key" }));
+beforeEach(() => {
+  vi.spyOn(token, "pupilName").mockReturnValue("Ada's key");
+});
 
 afterEach(() => {
   localStorage.clear();
   delete document.documentElement.dataset["place"];
   vi.unstubAllGlobals();
+  vi.restoreAllMocks();
 });
 
 /** Storage that notes what is deleted, and has deleted it when it is told so. */

@@ -63,3 +63,8 @@ test("a problem without one right answer offers none", async () => {
   expect(rows()).toHaveLength(1);
   expect(place.querySelector(".problem-fix")).toBeNull();
 });
+
+test("where nothing is wrong it says what to do", async () => {
+  await list();
+  expect(place.textContent).toContain("Press Run to see the program at work.");
+});

@@ -1,14 +1,23 @@
 import { createElement } from "react";
-import { expect, test, vi } from "vitest";
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
 
 import { mount } from "../../testing/hooks";
 import { useBoards } from "./boards";
 import { BoardCard } from "./BoardCard";
 import { Robots } from "./Robots";
+import * as socket from "./socket";
+import * as Team from "./Team";
 import type { Board } from "./wire";
 
-vi.mock("./socket", () => ({ connect: () => undefined, send: () => undefined }));
-vi.mock("./Team", () => ({ TeamPart: () => null }));
+beforeEach(() => {
+  vi.spyOn(socket, "connect").mockImplementation(() => undefined);
+  vi.spyOn(socket, "send").mockImplementation(() => undefined);
+  vi.spyOn(Team, "TeamPart").mockReturnValue(null);
+});
+afterEach(() => {
+  vi.restoreAllMocks();
+  useBoards.setState(useBoards.getInitialState());
+});
 
 test("what stands under the list of robots appears with it, and is not moved by it", () => {
   useBoards.setState({ ports: null });

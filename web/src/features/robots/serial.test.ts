@@ -1,6 +1,8 @@
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 
-import { joined, Pipe, type Port, reachOf } from "./serial";
+import { talk, talkThrough } from "../../api/line";
+import { useBoards } from "./boards";
+import { findBoard, joined, Pipe, type Port, reachOf, useSerial } from "./serial";
 
 describe("whether a page reaches boards", () => {
   it("says what is in the way", () => {
@@ -118,4 +120,31 @@ describe("the pipe of a port", () => {
     expect(socket.said).toEqual(["opened", "gone"]);
     expect(port.done.at(-1)).toBe("close");
   });
+});
+
+it("a board that was chosen is let go when the browser freezes the page, and has its place when it is chosen again", async () => {
+  const usual = talk();
+  const [port, sockets] = [new Plug(), [] as Socket[]];
+  const asked = vi.fn(() => Promise.resolve(port));
+  const found = Object.assign(new EventTarget(), { requestPort: asked });
+  Object.defineProperty(navigator, "serial", { configurable: true, value: found });
+  talkThrough({ ...usual, socket: () => (sockets.push(new Socket()), sockets.at(-1)) as unknown as WebSocket });
+  useBoards.setState({ key: "k" });
+  await findBoard();
+  sockets[0]?.hear("open");
+  await until(() => expect(sockets[0]?.said).toEqual(["opened"]));
+  const { marks } = useSerial.getState();
+  document.dispatchEvent(new Event("freeze"));
+  await until(() => expect(sockets[0]?.said).toEqual(["opened", "gone"]));
+  sockets[0]?.close();
+  await until(() => expect(port.done.at(-1)).toBe("close"));
+  // It has its place again once the port is closed.
+  await until(() => {
+    void findBoard();
+    expect(sockets).toHaveLength(2);
+  });
+  expect(useSerial.getState().marks).toEqual(marks);
+  talkThrough(usual);
+  useBoards.setState(useBoards.getInitialState());
+  Reflect.deleteProperty(navigator, "serial");
 });
