@@ -53,14 +53,13 @@ def force_a_sensor(studio: Studio) -> None:
 def mistake_in_the_text(studio: Studio) -> None:
     studio.edit_code()
     studio.page.keyboard.press("Control+End")
-    studio.page.keyboard.type("\nWheel.")
-    expect(studio.page.locator(".cm-tooltip-autocomplete")).to_be_visible()
+    studio.page.keyboard.insert_text("\nWheel.?!")
 
 
 SCREENS: list[Screen] = [
     ("a mission", (), "canvas", ALL),
     ("a menu", ("menu-Edit",), "menu-edit-find", MENU),
-    ("new mission", ("menu-File", "menu-file-new"), "new-name", DIALOG),
+    ("new mission", ("menu-File", "menu-file-new"), "new-name", "[data-testid=new-mission]"),
     ("open", ("menu-File", "menu-file-open"), "open-dialog", DIALOG),
     ("save as", ("menu-File", "menu-file-save-as"), "save-dialog", DIALOG),
     ("pdf", ("menu-File", "menu-file-export-pdf"), "pdf-dialog", DIALOG),
