@@ -13,7 +13,8 @@ import { moreWords } from "../i18n/words";
 import { useStudio } from "../model/studio";
 import { CARRIER, fileOf, missionOf } from "../model/testing/missions";
 import type { Point } from "../model/layout";
-import type { Mission } from "../model/types";
+import { PARTS } from "../model/testing/parts";
+import type { Catalogue, Mission } from "../model/types";
 import { currentDrawing } from "../session/drawing";
 import { useView } from "../session/view";
 import { type Hands, handsOn } from "./hands";
@@ -48,6 +49,10 @@ export function furnish(): void {
     unobserve = none;
     disconnect = none;
   }
+  const usual = globalThis.matchMedia;
+  // The text editor asks in the old way.
+  if (!("addListener" in usual("print")))
+    globalThis.matchMedia = (media) => Object.assign(usual(media), { addListener: none, removeListener: none });
   globalThis.ResizeObserver ??= Observer as unknown as typeof ResizeObserver;
   Element.prototype.scrollIntoView ??= none;
   Element.prototype.setPointerCapture ??= none;
@@ -62,13 +67,17 @@ function Keys(): null {
 }
 
 /** Opens a mission and shows its first program, with other parts of the page beside it. */
-export async function mountGraph(mission: Mission = missionOf(CARRIER), beside: ReactNode = null): Promise<Graph> {
+export async function mountGraph(
+  mission: Mission = missionOf(CARRIER),
+  beside: ReactNode = null,
+  catalogue: Catalogue = PARTS,
+): Promise<Graph> {
   furnish();
   await moreWords();
   document.body.replaceChildren();
   document.getSelection()?.removeAllRanges();
   // Another file each time: programs of one file are seen again where they were left.
-  useStudio.getState().openMission({ ...fileOf(mission), path: `test-${String(++opened)}.krt` });
+  useStudio.getState().openMission({ ...fileOf(mission), path: `test-${String(++opened)}.krt`, catalogue });
   vi.spyOn(Element.prototype, "getBoundingClientRect").mockImplementation(function (this: Element) {
     return this.classList.contains("canvas") ? new DOMRect(0, 0, WIDTH, HEIGHT) : NOWHERE;
   });

@@ -28,10 +28,17 @@ export class Socket extends EventTarget {
 export interface TestLine {
   /** Addresses that were asked, with what was sent. */
   asked: [string, unknown][];
-  /** What is answered, by the address without its query; a Response as it is, all else as JSON. */
+  /** What is answered, by the address without its query, or made of what was sent; a Response as it is, else as JSON. */
   answers: Record<string, unknown>;
   sockets: Socket[];
   end: () => void;
+}
+
+type Answer = (sent: unknown) => unknown;
+
+/** The server refuses with these words. */
+export function refusal(message: string, help = "", status = 422): Response {
+  return new Response(JSON.stringify({ message, help }), { status });
 }
 
 /** Talks to nobody from now on. */
@@ -41,7 +48,8 @@ export function testLine(answers: Record<string, unknown> = {}): TestLine {
   talkThrough({
     fetch: (address, init) => {
       line.asked.push([address, init.body]);
-      const answer = line.answers[address.split("?")[0] ?? ""];
+      const given = line.answers[address.split("?")[0] ?? ""];
+      const answer = typeof given === "function" ? (given as Answer)(JSON.parse(String(init.body ?? "null"))) : given;
       return Promise.resolve(answer instanceof Response ? answer.clone() : new Response(JSON.stringify(answer ?? {})));
     },
     socket: () => {
