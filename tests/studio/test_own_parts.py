@@ -57,6 +57,10 @@ def saved_text(studio: Studio) -> str:
     return download.value.path().read_text()
 
 
+@pytest.mark.thorough(
+    "web/src/features/custom-blocks/sheets.test.tsx: saved, used, changed, deleted, undone; server/test_own_parts.py: "
+    "offered, made and read; that it runs: mission and compiler tests of constructors; with a server: test_palette.py"
+)
 def test_a_selection_is_saved_used_run_edited_and_deleted_and_all_of_it_is_undone(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     keys = studio.page.keyboard
@@ -186,6 +190,10 @@ def parts_are_shared_as_a_file(studio: Studio) -> None:
     assert '<constructor name="Mine"' in download.value.path().read_text()
 
 
+@pytest.mark.thorough(
+    "web/src/features/custom-blocks/sheets.test.tsx: names and selections that cannot be; axe on the sheet: "
+    "test_clipping.py, a part of one's own; shared as a file: test_palette.py"
+)
 def test_what_cannot_be_a_part_or_its_name_is_told_and_parts_are_shared_as_a_file(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     a_name_that_cannot_be_is_told_at_once(studio)
