@@ -15,6 +15,7 @@ from tests.effort import THOROUGH, cases
 from tests.studio.clipping import amiss
 from tests.studio.conftest import Studio, begin_new
 from tests.studio.looks import choose, find_nothing
+from tests.studio.test_screens import who_wants_less_motion_gets_none_anywhere
 from tests.studio.test_widths import SETTLED
 
 pytestmark = pytest.mark.browser
@@ -133,6 +134,7 @@ def test_no_text_of_any_screen_is_cut_off_covered_or_over_another_and_axe_finds_
 ) -> None:
     studio = open_studio(mission)
     page = studio.page
+    who_wants_less_motion_gets_none_anywhere(studio)
     choose(studio, *look)
     found = []
     for turn, (screen, presses, seen, new) in enumerate(screens):

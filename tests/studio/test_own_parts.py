@@ -126,7 +126,7 @@ def test_a_selection_is_saved_used_run_edited_and_deleted_and_all_of_it_is_undon
 
 
 @pytest.mark.thorough(
-    "test_a_selection_is_saved_used_run_edited_and_deleted_and_all_of_it_is_undone: P, F2, Delete, Ctrl+Z"
+    "web/src/features/custom-blocks/sheets.test.tsx: P, F2, Delete and undo"
 )
 def test_it_all_goes_by_keys(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
@@ -216,7 +216,7 @@ def test_in_urdu_the_sheet_is_mirrored(open_studio: OpenStudio) -> None:
     expect(studio.at("own-name")).to_have_value(re.compile("میرا پرزہ"))
 
 
-@pytest.mark.thorough("a_name_that_cannot_be_is_told_at_once looks at the sheet with axe")
+@pytest.mark.thorough("test_clipping.py, the screen a part of one's own: axe looks at the sheet")
 @pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_on_the_sheets(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio(TRANSPORT)
@@ -262,7 +262,7 @@ def test_a_part_is_still_there_after_a_reload_with_its_undo(open_studio: OpenStu
 
 
 @pytest.mark.thorough(
-    "tests/studio/test_variables.py::a_finger_that_rests_opens_the_menu, on the same row of the palette"
+    "web/src/features/palette/variables.test.tsx: a finger that rests, on the same rows of the palette"
 )
 def test_a_finger_that_rests_on_a_part_opens_its_menu(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT, has_touch=True)

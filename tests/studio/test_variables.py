@@ -136,7 +136,7 @@ def a_variable_of_the_robots_own_file_says_where_it_is(studio: Studio) -> None:
     forgive_refusals(studio)
 
 
-@pytest.mark.thorough("tests/server/test_parts.py: names are of any script; test_a_variable_is_made_used_renamed…")
+@pytest.mark.thorough("tests/server/test_parts.py: names are of any script; web/src/features/palette/variables.test.tsx")
 def test_a_variable_is_made_while_adding_and_in_urdu(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)
     choose(studio, "ur")

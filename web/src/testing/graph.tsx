@@ -5,7 +5,7 @@
  * place that the test gives it.
  */
 import { act, type ReactNode } from "react";
-import { expect, vi } from "vitest";
+import { expect, onTestFinished, vi } from "vitest";
 
 import { useKeys } from "../app/keys";
 import { Canvas } from "../features/canvas/Canvas";
@@ -53,7 +53,14 @@ export function furnish(): void {
   // The text editor asks in the old way.
   if (!("addListener" in usual("print")))
     globalThis.matchMedia = (media) => Object.assign(usual(media), { addListener: none, removeListener: none });
-  globalThis.ResizeObserver ??= Observer as unknown as typeof ResizeObserver;
+  vi.stubGlobal("ResizeObserver", Observer);
+  const fonts = Object.assign(new EventTarget(), { ready: Promise.resolve() });
+  Object.defineProperty(document, "fonts", { value: fonts, configurable: true });
+  // Elsewhere nothing is measured where there is no such thing.
+  onTestFinished(() => {
+    vi.unstubAllGlobals();
+    Reflect.deleteProperty(document, "fonts");
+  });
   Element.prototype.scrollIntoView ??= none;
   Element.prototype.setPointerCapture ??= none;
   Element.prototype.scrollTo ??= none as typeof Element.prototype.scrollTo;
@@ -125,7 +132,7 @@ export function middleOfArc(id: string): Point {
   return onScreen({ x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 });
 }
 
-function graphHands(page: Mounted): Omit<Graph, keyof Mounted> {
+export function graphHands(page: Mounted): Omit<Graph, keyof Mounted> {
   const settle = () => act(() => new Promise<void>((done) => setTimeout(done)));
   const until = (fact: () => void) =>
     vi.waitFor(
