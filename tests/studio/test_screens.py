@@ -205,7 +205,7 @@ def the_printed_sheet(studio: Studio) -> None:
 
 @pytest.mark.thorough(
     "test_clipping.py: axe looks at a breakpoint, the watch, the stage and the result; the printed sheet: "
-    "test_files_out.py; differences and a merge: web/src/app/reach.test.tsx"
+    "test_files_out.py; differences and a merge: web/src/app/DifferenceSheet.test.tsx"
 )
 def test_axe_finds_nothing_on_a_breakpoint_the_watch_the_stage_a_merge_and_the_printed_sheet(
     open_studio: OpenStudio,

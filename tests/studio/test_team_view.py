@@ -182,6 +182,8 @@ def robots_are_dragged_into_a_role_of_the_text(studio: Studio) -> None:
     studio.at("change-leader").click()
     find_nothing(studio, "roster", within=".side")
     studio.take_back()
+    # What is taken back is shown: that was a change of the team.
+    studio.page.locator("[role=tab][data-program]").first.click()
 
 
 def what_is_typed_before_the_instructions_is_declared_and_saved(studio: Studio) -> None:
