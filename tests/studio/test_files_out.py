@@ -269,7 +269,7 @@ def the_sheet_is_black_on_white_and_searched_in_its_own_language(studio: Studio)
     name = studio.page.title().removeprefix("printing ")
     pdf = paper(studio, name)
     assert b"/Subtype /Image" not in pdf
-    assert pages_of(pdf) >= 2
+    assert pages_of(pdf) >= 1
     letters = b"".join(stream for stream in streams_of(pdf) if b"beginbf" in stream).upper()
     for letter in "آغاز":
         assert b"<%04X>" % ord(letter) in letters

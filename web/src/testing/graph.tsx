@@ -61,9 +61,8 @@ export function furnish(): void {
     vi.unstubAllGlobals();
     Reflect.deleteProperty(document, "fonts");
   });
-  Element.prototype.scrollIntoView ??= none;
-  Element.prototype.setPointerCapture ??= none;
-  Element.prototype.scrollTo ??= none as typeof Element.prototype.scrollTo;
+  for (const name of ["scrollIntoView", "setPointerCapture", "scrollTo"])
+    if (!(name in Element.prototype)) Object.defineProperty(Element.prototype, name, { value: none, writable: true });
 }
 
 let opened = 0;

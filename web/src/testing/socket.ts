@@ -49,7 +49,10 @@ export function testLine(answers: Record<string, unknown> = {}): TestLine {
     fetch: (address, init) => {
       line.asked.push([address, init.body]);
       const given = line.answers[address.split("?")[0] ?? ""];
-      const answer = typeof given === "function" ? (given as Answer)(JSON.parse(String(init.body ?? "null"))) : given;
+      const answer =
+        typeof given === "function"
+          ? (given as Answer)(JSON.parse(typeof init.body === "string" ? init.body : "null"))
+          : given;
       return Promise.resolve(answer instanceof Response ? answer.clone() : new Response(JSON.stringify(answer ?? {})));
     },
     socket: () => {

@@ -14,7 +14,7 @@ import { Hands } from "./Hands";
 import { RobotMenu } from "./RobotMenu";
 import { openRobotMenu, useRobots } from "./robots";
 
-const KEYS = [{ sensor: "ButtonB", label: "Button B", letter: "b", pressed: false }];
+const KEYS = [{ sensor: "ButtonB", label: "Button B", letter: "b", pressed: false, onBoard: true }];
 const SLIDERS = [{ sensor: "Moisture", label: "Moisture", value: 70, min: 0, max: 100 }];
 
 let page: Mounted;
@@ -65,7 +65,10 @@ describe("in a run", () => {
     const felt = { name: "b", inputs: { ButtonB: 1 } } as unknown as RunAgent;
     page.act(() => useRun.setState({ agents: [felt] }));
     send(new PointerEvent("pointerup", { bubbles: true, pointerId: 1 }));
-    expect([isHeld(useHands.getState().held, "b", "ButtonB"), force.mock.lastCall]).toEqual([false, ["b", "ButtonB", null]]);
+    expect([isHeld(useHands.getState().held, "b", "ButtonB"), force.mock.lastCall]).toEqual([
+      false,
+      ["b", "ButtonB", null],
+    ]);
   });
 
   it.each([" ", "Enter"])("a button is held by the key %j", (key) => {

@@ -199,7 +199,7 @@ describe("by a drag", () => {
     expect(lll()).toBe(before);
   });
 
-  it("a box that is drawn with Shift beside everything selects what it touches, and the graph stays", async () => {
+  it("a box that is drawn with Shift beside everything selects what it touches, and the graph stays", () => {
     const pane = document.querySelector(".canvas-pane") as HTMLElement;
     const first = middleOf("v1");
     const at = (kind: string, x: number, y: number) =>

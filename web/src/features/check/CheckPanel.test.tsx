@@ -70,16 +70,21 @@ describe("a property", () => {
     page.act(() => hands.find("property-name-0").focus());
     hands.fill("property-name-0", "empty");
     page.act(() => hands.find("property-name-0").blur());
-    expect(properties()).toMatchObject([
-      { name: "empty", form: "never", first: "any carrier-1 (Cargo.IsPressed())" },
-    ]);
+    expect(properties()).toMatchObject([{ name: "empty", form: "never", first: "any carrier-1 (Cargo.IsPressed())" }]);
     hands.click("property-remove-0");
     expect(properties()).toEqual([]);
   });
 
   it("that is no condition is told with the way out", () => {
     const where = { file: "", line: 1, column: 1, end_line: 1, end_column: 2, program: "", vertices: [], arcs: [] };
-    const wrong: Problem = { ...where, severity: "error", code: "mission-property", message: "`)` is missing", help: "Close it.", fix: null };
+    const wrong: Problem = {
+      ...where,
+      severity: "error",
+      code: "mission-property",
+      message: "`)` is missing",
+      help: "Close it.",
+      fix: null,
+    };
     page.act(() => useStudio.getState().setReport({ programs: [], problems: [wrong] }));
     expect(hands.find("property-wrong").textContent).toBe("`)` is missing. Close it.".replaceAll("`", ""));
     page.act(() => useStudio.getState().setReport({ programs: [], problems: [] }));

@@ -26,7 +26,12 @@ const made = { constructor: PART, program: USING, vertex: "v20", lll: "Lamp.Ligh
 const OFFERED = { name: "", offers: [], lll: "Lamp.LightOff();" };
 const DRAWING: Program = {
   ...{ name: PART.name, robot: "carrier" },
-  vertices: ["Start", "Lamp.LightOff", "Stop"].map((element, at) => ({ id: `d${String(at)}`, element, settings: {}, notes: [] })),
+  vertices: ["Start", "Lamp.LightOff", "Stop"].map((element, at) => ({
+    id: `d${String(at)}`,
+    element,
+    settings: {},
+    notes: [],
+  })),
   arcs: [
     { source: "d0", out: "next", target: "d1", at: "in" },
     { source: "d1", out: "next", target: "d2", at: "in" },
@@ -122,13 +127,27 @@ describe("a part of one's own", () => {
     await page.until(() => expect(page.has("own-dialog")).toBe(true));
     await later();
     await page.until(() => expect(isDisabled()).toBe(false));
-    const problem = { severity: "error", code: "syntax", message: "`)` is missing", help: "", line: 1, column: 1, end_line: 1, end_column: 2 };
+    const problem = {
+      severity: "error",
+      code: "syntax",
+      message: "`)` is missing",
+      help: "",
+      line: 1,
+      column: 1,
+      end_line: 1,
+      end_column: 2,
+    };
     line.answers["api/part/read"] = { constructor: null, problems: [problem], lll: "", drawing: null };
     page.fill("own-name", "Dark");
     await later();
     await page.until(() => expect(page.find("own-failure").textContent).toContain("is missing"));
     expect(isDisabled()).toBe(true);
-    line.answers["api/part/read"] = { constructor: { ...PART, name: "Dark" }, problems: [], lll: PART.code, drawing: DRAWING };
+    line.answers["api/part/read"] = {
+      constructor: { ...PART, name: "Dark" },
+      problems: [],
+      lll: PART.code,
+      drawing: DRAWING,
+    };
     page.fill("own-name", "Dark ");
     await later();
     await page.until(() => expect(isDisabled()).toBe(false));

@@ -68,7 +68,10 @@ describe("a value", () => {
   });
 
   it("that is held says so and is let go by its button, which has its room before", () => {
-    expect([hands.has("release-Sign"), hands.find("watch-Sign").querySelector(".is-room")]).toEqual([false, expect.anything()]);
+    expect([hands.has("release-Sign"), hands.find("watch-Sign").querySelector(".is-room")]).toEqual([
+      false,
+      expect.anything(),
+    ]);
     page.act(() => useRun.setState({ agents: [agent(["Sign"], 7)] }));
     expect([hands.find("watch-Sign").dataset["forced"], field("Sign").value]).toEqual(["true", "7"]);
     hands.click("release-Sign");
@@ -82,7 +85,13 @@ describe("a value", () => {
 });
 
 it("what happened stands with who brought it about, and its moment can be gone to", () => {
-  const happened = { tick: 40, kind: "failure" as const, agent: "c-1", text: "loses its radio (by hand)", cause: "person" as const };
+  const happened = {
+    tick: 40,
+    kind: "failure" as const,
+    agent: "c-1",
+    text: "loses its radio (by hand)",
+    cause: "person" as const,
+  };
   page.act(() => useRun.setState({ events: [happened] }));
   const row = hands.find("event-list").querySelector<HTMLElement>("tbody tr")!;
   expect([row.dataset["cause"], row.querySelector("td:last-child")?.textContent]).toEqual(["person", "by hand"]);

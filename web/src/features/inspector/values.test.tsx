@@ -28,11 +28,18 @@ function measured(object: RobotObject): RobotObject {
   const wider = object.name === "Sign" ? { max: 100 } : {};
   const [first, ...rest] = ["angle", "value"];
   const parameters = ({ parameters }: Method) =>
-    parameters.map((one) => (meaning !== null && [first, ...rest].includes(one.name) ? { ...one, ...wider, unit: "", meaning } : one));
+    parameters.map((one) =>
+      meaning !== null && [first, ...rest].includes(one.name) ? { ...one, ...wider, unit: "", meaning } : one,
+    );
   return { ...object, ...wider, methods: object.methods.map((one) => ({ ...one, parameters: parameters(one) })) };
 }
 
-const part = (id: string, element: string, settings: Record<string, string> = {}) => ({ id, element, settings, notes: [] });
+const part = (id: string, element: string, settings: Record<string, string> = {}) => ({
+  id,
+  element,
+  settings,
+  notes: [],
+});
 const arc = (source: string, out: string, target: string, at = "in") => ({ source, out, target, at });
 const PROGRAM: Program = {
   name: "p",

@@ -50,7 +50,7 @@ async function open(): Promise<void> {
   await page.until(() => isFocused("variable-name"));
 }
 
-async function make(name: string, fields: Record<string, string> = {}): Promise<void> {
+function make(name: string, fields: Record<string, string> = {}): void {
   page.fill("variable-name", name);
   for (const [field, value] of Object.entries(fields)) page.fill(`variable-${field}`, value);
   page.click("variable-keep");
@@ -58,7 +58,7 @@ async function make(name: string, fields: Record<string, string> = {}): Promise<
 
 async function trips(): Promise<void> {
   await open();
-  await make("Trips", { max: "9", initial: "2" });
+  make("Trips", { max: "9", initial: "2" });
   await page.until(() => expect(page.has("object-Trips")).toBe(true));
 }
 
@@ -135,9 +135,9 @@ describe("what cannot be", () => {
   it("is said at the field in the server's words, and nothing is made", async () => {
     await open();
     line.answers["api/variable"] = refusal("`Captor` is a sensor of the robot.", "Take another name.");
-    await make("Captor");
+    make("Captor");
     await page.until(() => expect(why()).toContain("Captor is a sensor of the robot. Take another name."));
-    await make("Trips", { min: "x" });
+    make("Trips", { min: "x" });
     expect(why()).toContain("whole numbers");
     await page.key("Escape");
     expect([page.has("variable-form"), own()]).toEqual([false, []]);
@@ -152,7 +152,7 @@ describe("what cannot be", () => {
 });
 
 describe("the palette", () => {
-  it("has its tabs unless somebody searches; Enter adds the best, Escape shows all again", async () => {
+  it("has its tabs unless somebody searches; Enter adds the best, Escape shows all again", () => {
     const tabs = () => page.place.querySelectorAll(".palette-tab").length;
     expect(tabs()).toBeGreaterThan(4);
     page.fill("part-find", "light off");

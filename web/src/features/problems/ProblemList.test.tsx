@@ -65,7 +65,10 @@ test("a problem without one right answer offers none", async () => {
 });
 
 test("a problem with one right answer is mended by its button, and undo brings it back", async () => {
-  const mission = missionOf({ ...CARRIER, vertices: CARRIER.vertices.map((one) => (one.id === "v20" ? { ...one, element: "Lamp.LihgtOff" } : one)) });
+  const mission = missionOf({
+    ...CARRIER,
+    vertices: CARRIER.vertices.map((one) => (one.id === "v20" ? { ...one, element: "Lamp.LihgtOff" } : one)),
+  });
   const wrong = problem("no such method", { kind: "element", name: "Lamp.LightOff", text: "" });
   await list({ ...wrong, program: "carrier", vertices: ["v20"] });
   act(() => {

@@ -54,7 +54,13 @@ it("a failure on the schedule is shown until its moment has passed", () => {
   expect(hands.has("planned-stall")).toBe(true);
   page.act(() => useRun.setState({ latest: 501 }));
   expect(hands.has("planned-stall")).toBe(false);
-  const happened = { tick: 500, kind: "failure" as const, agent: "carrier-1", text: "stalls", cause: "mission" as const };
+  const happened = {
+    tick: 500,
+    kind: "failure" as const,
+    agent: "carrier-1",
+    text: "stalls",
+    cause: "mission" as const,
+  };
   page.act(() => useRun.setState({ events: [happened] }));
   expect(page.place.querySelectorAll('[data-kind="failure"]')).toHaveLength(1);
 });

@@ -24,7 +24,7 @@ const MAP: SweepMapMessage = {
 let page: Mounted;
 let hands: Hands;
 let line: TestLine;
-const start = vi.fn();
+const start = vi.fn<ReturnType<typeof useRun.getState>["start"]>();
 const text = (testId: string) => hands.find(testId).textContent;
 const at = () => (document.activeElement as HTMLElement).dataset["testid"];
 
@@ -100,7 +100,7 @@ describe("the map", () => {
     hands.press("field-1-0", "ArrowRight");
     hands.press("field-1-1", "Enter");
     expect(hands.find("field-1-1").dataset["played"]).toBe("true");
-    expect(start.mock.lastCall?.[1].mission.failures).toEqual([{ agent: "loader-1", at_s: 2, kind: "fail" }]);
+    expect(start.mock.lastCall?.[1]?.mission?.failures).toEqual([{ agent: "loader-1", at_s: 2, kind: "fail" }]);
     expect(text("sweep-chosen")).toContain("Nothing happens any more.");
     expect(useStudio.getState().dirty).toBe(false);
   });

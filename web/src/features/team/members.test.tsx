@@ -17,7 +17,13 @@ const TEAM = {
   groups: [],
   meetings: [{ point: 3, program: "team", vertex: "v1", here_count: 2, count: 3, missing: ["r4"] }],
 } as unknown as TeamNow;
-const event = (tick: number, agent: string, text: string): RunEvent => ({ tick, kind: "member", agent, text, cause: "program" });
+const event = (tick: number, agent: string, text: string): RunEvent => ({
+  tick,
+  kind: "member",
+  agent,
+  text,
+  cause: "program",
+});
 
 let page: Mounted;
 let hands: Hands;
@@ -29,7 +35,11 @@ beforeEach(async () => {
   await moreWords();
   useRun.setState({
     ...{ status: "paused", tick: 300, latest: 400, tickMs: 20, abilities: ["seek"], seek, team: TEAM, agents: [] },
-    events: [event(200, "r2", "is missed by its team"), event(200, "r4", "takes over for `r2`"), event(390, "r1", "goes")],
+    events: [
+      event(200, "r2", "is missed by its team"),
+      event(200, "r4", "takes over for `r2`"),
+      event(390, "r1", "goes"),
+    ],
   });
   page = mount(<Members />);
   hands = handsOn(page);

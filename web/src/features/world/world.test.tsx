@@ -6,7 +6,7 @@ import { CARRIER, fileOf, missionOf } from "../../model/testing/missions";
 import { useStudio } from "../../model/studio";
 import type { OwnWorld, Problem } from "../../model/types";
 import { chosenIn, useWorld } from "../../session/world-view";
-import { type Graph, graphHands, furnish } from "../../testing/graph";
+import { furnish, graphHands } from "../../testing/graph";
 import { mount, type Mounted } from "../../testing/hooks";
 import { testLine, type TestLine } from "../../testing/socket";
 import World from "./World";
@@ -93,7 +93,7 @@ describe("by its numbers", () => {
     expect(["width_mm", "height_mm"].map(number)).toEqual([600, 600]);
     page.click("world-tool-box");
     type("mass", "900");
-    expect([world().zones.length, world().boxes?.[0]]).toMatchObject([1, { mass_g: 900 }]);
+    expect([world().zones?.length, world().boxes?.[0]]).toMatchObject([1, { mass_g: 900 }]);
     while (useStudio.getState().canUndo) page.undo();
     expect(world()).toEqual(ROOM);
   });
@@ -106,7 +106,17 @@ describe("by its numbers", () => {
 
 it("what is wrong is told at its thing, in the list and among its numbers", () => {
   page.click("world-tool-road");
-  const where = { file: "", line: 1, column: 1, end_line: 1, end_column: 2, program: "", vertices: [], arcs: [], fix: null };
+  const where = {
+    file: "",
+    line: 1,
+    column: 1,
+    end_line: 1,
+    end_column: 2,
+    program: "",
+    vertices: [],
+    arcs: [],
+    fix: null,
+  };
   const message = "There is no room for this radius";
   const wrong = { ...where, severity: "error", code: "world", message, help: "", thing: "road:0" };
   page.act(() => useStudio.getState().setReport({ programs: [], problems: [wrong as Problem] }));
@@ -126,7 +136,7 @@ it("a template takes the place of all of it, a maze for every number, and undo b
   type("maze-seed", "5");
   await page.until(() => expect(line.asked.at(-1)?.[0]).toContain("seed=5"));
   page.click("template-maze");
-  expect([world().walls.length, world().zones.length]).toEqual([1, 0]);
+  expect([world().walls.length, world().zones?.length]).toEqual([1, 0]);
   page.undo();
   expect(world()).toEqual(before);
 });

@@ -33,7 +33,8 @@ const text = (testId: string) => hands.find(testId).textContent;
 /** Two pictures: the card of what is new is drawn, then its field. */
 const frames = () =>
   act(
-    () => new Promise<void>((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => done())))),
+    () =>
+      new Promise<void>((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => done())))),
   );
 const undo = () => page.act(() => useStudio.getState().undo());
 
@@ -54,7 +55,9 @@ function drag(chip: string, card: string, isHeld = false): void {
   document.elementFromPoint = () => hands.find(card);
   const send = (kind: string, on: EventTarget, x: number) =>
     page.act(() =>
-      on.dispatchEvent(new PointerEvent(kind, { bubbles: true, isPrimary: true, pointerId: 1, clientX: x, clientY: 9 })),
+      on.dispatchEvent(
+        new PointerEvent(kind, { bubbles: true, isPrimary: true, pointerId: 1, clientX: x, clientY: 9 }),
+      ),
     );
   send("pointerdown", hands.find(chip), 9);
   send("pointermove", window, 60);
@@ -65,7 +68,10 @@ describe("robots", () => {
   it("are dragged into roles and out, which count them, and undo brings them back", () => {
     expect([text("card-leader"), roleOf("r4")]).toEqual([expect.stringContaining("1 of 1"), ""]);
     drag("chip-r4", "card-leader");
-    expect([roleOf("r4"), mission().roles?.[0]]).toEqual(["leader", { name: "leader", robot: "carrier", least: 1, most: 2 }]);
+    expect([roleOf("r4"), mission().roles?.[0]]).toEqual([
+      "leader",
+      { name: "leader", robot: "carrier", least: 1, most: 2 },
+    ]);
     drag("chip-r4", "card-follower");
     expect([roleOf("r4"), text("card-follower")]).toEqual(["follower", expect.stringContaining("3 of")]);
     drag("chip-r4", "card-spare");
@@ -81,7 +87,10 @@ describe("robots", () => {
       expect.stringContaining("r1 is the last one in leader"),
     ]);
     page.act(() => window.dispatchEvent(new PointerEvent("pointerup", { pointerId: 1, clientX: 60, clientY: 9 })));
-    expect([text("roster-said"), roleOf("r1")]).toEqual([expect.stringContaining("r1 is the last one in leader"), "leader"]);
+    expect([text("roster-said"), roleOf("r1")]).toEqual([
+      expect.stringContaining("r1 is the last one in leader"),
+      "leader",
+    ]);
   });
 
   it("are dragged into groups, and Delete takes them out", () => {
@@ -134,10 +143,23 @@ describe("what a team declares", () => {
   });
 
   it("has what the check says of it on its card", () => {
-    const where = { file: "", line: 1, column: 1, end_line: 1, end_column: 2, program: "", vertices: [], arcs: [], fix: null };
+    const where = {
+      file: "",
+      line: 1,
+      column: 1,
+      end_line: 1,
+      end_column: 2,
+      program: "",
+      vertices: [],
+      arcs: [],
+      fix: null,
+    };
     const message = "the role `follower` wants 9 of the robot `carrier`";
     const wrong: Problem = { ...where, severity: "error", code: "team-roles", message, help: "" };
     page.act(() => useStudio.getState().setReport({ programs: [], problems: [wrong] }));
-    expect([text("trouble-follower"), hands.has("trouble-leader")]).toEqual([expect.stringContaining("wants 9"), false]);
+    expect([text("trouble-follower"), hands.has("trouble-leader")]).toEqual([
+      expect.stringContaining("wants 9"),
+      false,
+    ]);
   });
 });
