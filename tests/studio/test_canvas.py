@@ -84,8 +84,8 @@ def pasted_rubbish_is_told_in_a_sentence_and_changes_nothing(studio: Studio, bef
 
 
 @pytest.mark.thorough(
-    "web/src/features/canvas/clipboard.test.tsx: copied, cut, pasted, refused; server/test_fragments.py reads the text; "
-    "the browser's own clipboard: test_the_graph_is_edited_with_mouse_keys_and_clipboard"
+    "web/src/features/canvas/clipboard.test.tsx: copied, cut, pasted, refused; server/test_fragments.py reads the "
+    "text; the browser's own clipboard: test_the_graph_is_edited_with_mouse_keys_and_clipboard"
 )
 def test_parts_are_copied_cut_and_pasted_as_lll_text_and_rubbish_is_refused(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
@@ -251,8 +251,8 @@ def keys_zoom_to_the_selection_show_the_map_and_follow_the_run(studio: Studio) -
 
 
 @pytest.mark.thorough(
-    "web/src/features/canvas/find.test.tsx: find, folds and the camera; active.test.tsx: what runs is followed until "
-    "the canvas is moved; Pane.test.tsx: by the wheel"
+    "web/src/features/canvas/find.test.tsx: find, folds and the camera; active.test.tsx: what runs is followed "
+    "until the canvas is moved; Pane.test.tsx: by the wheel"
 )
 def test_keys_zoom_show_the_map_follow_the_run_find_in_all_programs_and_fold(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)

@@ -45,8 +45,9 @@ def greedy(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, open_studio) -> str:
 
 
 @pytest.mark.thorough(
-    "web/src/features/check/CheckPanel.test.tsx: a property is written, a check stopped, answers walked and played; "
-    "BrokenRun.test.tsx: why, and the other way; server/test_verification_socket.py; with a server: test_many_runs.py"
+    "web/src/features/check/CheckPanel.test.tsx: a property is written, a check stopped, answers walked and played;"
+    " BrokenRun.test.tsx: why, and the other way; server/test_verification_socket.py; with a server: "
+    "test_many_runs.py"
 )
 def test_a_property_is_written_and_what_is_broken_is_told_and_played_and_a_check_can_be_stopped(
     open_studio, greedy: str

@@ -1,7 +1,7 @@
 """Each screen of the studio, visited once: no text is cut off, covered or over another, and axe finds nothing.
 
-Each screen on one size, wide and narrow by turns; in the thorough profile on all sizes, in all languages and themes.
-Axe looks at what the screen brought; `test_screens.py` and `test_reach.py` look at more of each in the thorough profile.
+Each screen on one size, wide or a phone's; in the thorough profile on all sizes, in all languages and themes.
+Axe looks at what the screen brought; `test_screens.py` and `test_reach.py` look at more in the thorough profile.
 """
 
 from __future__ import annotations
@@ -23,7 +23,13 @@ pytestmark = pytest.mark.browser
 OpenStudio = Callable[..., Studio]
 TRANSPORT, DRAWING = "transport/transport.krt", "draw-square/draw-square.krt"
 CORNER = Position(x=12, y=12)
-SIZES = [(1440, 900), (390, 844), (1024, 768), (768, 1024)]
+PHONE = (390, 844)
+SIZES = [(1440, 900), PHONE, (1024, 768), (768, 1024)]
+ON_A_PHONE = {
+    *("new mission", "open", "keys", "help", "check", "team", "templates", "paused"),
+    *("a field", "a note", "done", "nothing yet", "the path to learn", "a tutorial"),
+}
+"""What is looked at on a phone, and not on a wide screen; in the thorough profile everything on each size."""
 # Words of the other languages are longer than English ones.
 LOOKS: list[object] = [
     ("dark", "fr"),
@@ -77,7 +83,7 @@ SCREENS: list[Screen] = [
     ("world, edited", ("edit-world",), "world-tool-wall", "[data-testid=world]"),
     ("templates", ("world-templates-open",), "template-maze", "[data-testid=world]"),
     ("stage", ("undo", "tab-carrier", "menu-View", "menu-view-stage"), "stage-watched", ".side-arena"),
-    ("paused", ("arena-large", "run-button", "pause-button"), "palette-robot", ALL),
+    ("paused", ("arena-large", "run-button", "pause-button"), "palette-robot", ".head"),
     ("watch", ("watch-button", force_a_sensor), "watch", "[data-testid=watch]"),
     ("a breakpoint", ("vertex-v15", "key b"), "breakpoint-when", ".side-inspector"),
     ("a part of one's own", ("vertex-v11", "key p"), "own-dialog", DIALOG),
@@ -137,7 +143,7 @@ def test_no_text_of_any_screen_is_cut_off_covered_or_over_another_and_axe_finds_
     who_wants_less_motion_gets_none_anywhere(studio)
     choose(studio, *look)
     found = []
-    for turn, (screen, presses, seen, new) in enumerate(screens):
+    for screen, presses, seen, new in screens:
         for press in presses:
             if callable(press):
                 press(studio)
@@ -146,7 +152,7 @@ def test_no_text_of_any_screen_is_cut_off_covered_or_over_another_and_axe_finds_
             else:
                 studio.at(press).first.click(position=CORNER if press.startswith("vertex-") else None)
         expect(studio.at(seen).first).to_be_visible()
-        for width, height in SIZES if THOROUGH else SIZES[turn % 2 : turn % 2 + 1]:
+        for width, height in SIZES if THOROUGH else [PHONE if screen in ON_A_PHONE else SIZES[0]]:
             page.set_viewport_size({"width": width, "height": height})
             page.evaluate(SETTLED)
             found += [f"{screen}, {width} px: {one}" for one in amiss(page)]

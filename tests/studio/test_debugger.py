@@ -134,8 +134,9 @@ def test_a_run_pauses_at_breakpoints_is_stepped_dragged_and_begins_another_futur
 
 
 @pytest.mark.thorough(
-    "test_a_run_pauses_at_breakpoints_is_stepped_dragged_and_begins_another_future; web/src/features/run/strip.test.tsx: "
-    "keys of the timeline; server/test_debugging.py: pauses, steps and goes back"
+    "test_a_run_pauses_at_breakpoints_is_stepped_dragged_and_begins_another_future; "
+    "web/src/features/run/strip.test.tsx: keys of the timeline; server/test_debugging.py: pauses, steps and goes "
+    "back"
 )
 def test_a_run_pauses_at_a_breakpoint_is_stepped_back_and_on_and_led_anywhere_on_its_timeline(
     open_studio: OpenStudio,
@@ -191,8 +192,8 @@ def what_is_done_in_the_past_begins_another_future(studio: Studio) -> None:
 
 
 @pytest.mark.thorough(
-    "web/src/features/debug/watch.test.tsx: set, forced, let go, not taken; server/test_debugging.py: in a run; another "
-    "future: test_a_run_pauses_at_breakpoints_is_stepped_dragged_and_begins_another_future"
+    "web/src/features/debug/watch.test.tsx: set, forced, let go, not taken; server/test_debugging.py: in a run; "
+    "another future: test_a_run_pauses_at_breakpoints_is_stepped_dragged_and_begins_another_future"
 )
 def test_the_watch_sets_variables_forces_sensors_takes_no_number_out_of_range_and_begins_another_future(
     open_studio: OpenStudio,
@@ -214,8 +215,8 @@ def a_condition_that_is_none_is_said(studio: Studio) -> None:
 
 
 @pytest.mark.thorough(
-    "web/src/features/inspector/values.test.tsx: set by B and by its fields, undone; in the file: tests/forms/test_pairs.py; "
-    "what is no condition: server/test_debugging.py"
+    "web/src/features/inspector/values.test.tsx: set by B and by its fields, undone; in the file: "
+    "tests/forms/test_pairs.py; what is no condition: server/test_debugging.py"
 )
 def test_a_breakpoint_is_kept_in_the_mission_and_undone_and_says_what_is_no_condition(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt")

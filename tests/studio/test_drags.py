@@ -164,8 +164,8 @@ def a_vertex_cannot_go_into_its_own_body(studio: Studio) -> None:
 
 
 @pytest.mark.thorough(
-    "web/src/features/canvas/editing.test.tsx: drags by a pointer are spliced, parked, moved, copied, refused; docked in "
-    "slots as they stand on the screen: test_canvas.py"
+    "web/src/features/canvas/editing.test.tsx: drags by a pointer are spliced, parked, moved, copied, refused; "
+    "docked in slots as they stand on the screen: test_canvas.py"
 )
 def test_parts_and_vertices_are_dragged_spliced_parked_docked_moved_and_copied(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)

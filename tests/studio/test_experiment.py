@@ -13,8 +13,8 @@ pytestmark = pytest.mark.browser
 
 
 @pytest.mark.thorough(
-    "test_many_runs.py with a smaller mission; web/src/features/experiment/ExperimentPanel.test.tsx: it is all there "
-    "again when the page was loaded again, by keys; server/test_experiment_routes.py"
+    "test_many_runs.py with a smaller mission; web/src/features/experiment/ExperimentPanel.test.tsx: it is all "
+    "there again when the page was loaded again, by keys; server/test_experiment_routes.py"
 )
 def test_a_dot_of_an_experiment_is_a_run_that_plays(open_studio):
     studio = open_studio("transport/transport.krt")

@@ -105,8 +105,8 @@ def without_a_run_the_menu_says_what_is_missing(studio):
 
 
 @pytest.mark.thorough(
-    "web/src/features/arena/hands.test.tsx: the menu of a robot without and with a run; server/test_failures.py; by the "
-    "mouse and a finger: test_a_robot_is_followed_fails_by_hand_and_the_list_says_who_did_it"
+    "web/src/features/arena/hands.test.tsx: the menu of a robot without and with a run; server/test_failures.py; by"
+    " the mouse and a finger: test_a_robot_is_followed_fails_by_hand_and_the_list_says_who_did_it"
 )
 def test_mouse_keys_and_fingers_let_robots_fail_stall_lose_their_radio_and_come_back_once_there_is_a_run(open_studio):
     studio = open_studio(TRANSPORT)
@@ -140,7 +140,9 @@ def who_is_followed_stays_in_the_middle_until_the_world_is_dragged(studio):
     expect(studio.at("menu-harm-follow")).to_have_attribute("aria-checked", "false")
 
 
-@pytest.mark.thorough("test_a_robot_is_followed_fails_by_hand_and_the_list_says_who_did_it: it goes on when it comes back")
+@pytest.mark.thorough(
+    "test_a_robot_is_followed_fails_by_hand_and_the_list_says_who_did_it: it goes on when it comes back"
+)
 def test_a_run_that_failed_goes_on_when_somebody_comes_back(open_studio):
     studio = open_studio("square/square.krt")
     start_paused(studio)
@@ -229,8 +231,8 @@ def the_list_of_what_happened_says_who_brought_it_about_and_leads_there(studio):
 
 
 @pytest.mark.thorough(
-    "web/src/features/team/tab.test.tsx and worlds.test.tsx: schedule and chance; features/run/strip.test.tsx: on the "
-    "timeline; server/test_failures.py: in runs"
+    "web/src/features/team/tab.test.tsx and worlds.test.tsx: schedule and chance; features/run/strip.test.tsx: on "
+    "the timeline; server/test_failures.py: in runs"
 )
 def test_a_schedule_and_chance_let_robots_fail(open_studio):
     studio = open_studio(TRANSPORT)
@@ -240,7 +242,8 @@ def test_a_schedule_and_chance_let_robots_fail(open_studio):
 
 
 @pytest.mark.thorough(
-    "test_a_robot_is_followed_fails_by_hand_and_the_list_says_who_did_it; web/src/features/debug/watch.test.tsx: the list"
+    "test_a_robot_is_followed_fails_by_hand_and_the_list_says_who_did_it; web/src/features/debug/watch.test.tsx: "
+    "the list"
 )
 def test_stop_leaves_robots_still_one_is_followed_and_the_list_says_who_did_what(open_studio):
     studio = open_studio(TRANSPORT)

@@ -221,8 +221,8 @@ def the_sheet_is_black_on_white_in_every_theme_and_in_the_pages_language(studio:
 
 
 @pytest.mark.thorough(
-    "test_pictures_open_again_and_files_and_paper_are_handed_out, of a smaller mission; web/src/features/export/sheet: "
-    "cuts.test.ts; images: server/test_images.py"
+    "test_pictures_open_again_and_files_and_paper_are_handed_out, of a smaller mission; "
+    "web/src/features/export/sheet: cuts.test.ts; images: server/test_images.py"
 )
 def test_all_graphs_image_listing_and_the_sheet_of_a_mission_in_every_theme_and_the_pages_language(
     open_studio: OpenStudio, tmp_path: Path

@@ -114,8 +114,8 @@ def test_a_board_is_held_in_the_arena_by_mouse_and_keys(open_studio: OpenStudio)
 
 
 @pytest.mark.thorough(
-    "web/src/features/arena/hands.test.tsx and components/scene/boards.test.ts: before a run, by pointers and keys; "
-    "drawn buttons and keys of the arena: test_a_board_is_held_in_the_arena_by_mouse_and_keys"
+    "web/src/features/arena/hands.test.tsx and components/scene/boards.test.ts: before a run, by pointers and keys;"
+    " drawn buttons and keys of the arena: test_a_board_is_held_in_the_arena_by_mouse_and_keys"
 )
 def test_a_board_is_held_by_mouse_and_keys_shaken_and_watched_once_it_runs(open_studio: OpenStudio) -> None:
     studio = open_studio("dice/dice.krt")

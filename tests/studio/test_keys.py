@@ -218,9 +218,7 @@ def test_a_program_is_drawn_without_a_mouse(open_studio: OpenStudio) -> None:
     expect(studio.at("code")).to_contain_text(re.compile(r"\*\[\s*\]\(\s*WAIT\(10\);\s*10\*\("))
 
 
-@pytest.mark.thorough(
-    "web/src/features/palette/tree.test.ts and variables.test.tsx: walked by arrows, and Enter adds"
-)
+@pytest.mark.thorough("web/src/features/palette/tree.test.ts and variables.test.tsx: walked by arrows, and Enter adds")
 def test_the_parts_are_walked_and_enter_puts_one_at_the_selection(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     keys = studio.page.keyboard

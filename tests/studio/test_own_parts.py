@@ -58,8 +58,9 @@ def saved_text(studio: Studio) -> str:
 
 
 @pytest.mark.thorough(
-    "web/src/features/custom-blocks/sheets.test.tsx: saved, used, changed, deleted, undone; server/test_own_parts.py: "
-    "offered, made and read; that it runs: mission and compiler tests of constructors; with a server: test_palette.py"
+    "web/src/features/custom-blocks/sheets.test.tsx: saved, used, changed, deleted, undone; "
+    "server/test_own_parts.py: offered, made and read; that it runs: mission and compiler tests of constructors; "
+    "with a server: test_palette.py"
 )
 def test_a_selection_is_saved_used_run_edited_and_deleted_and_all_of_it_is_undone(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
@@ -125,9 +126,7 @@ def test_a_selection_is_saved_used_run_edited_and_deleted_and_all_of_it_is_undon
     assert saved_text(studio) == first
 
 
-@pytest.mark.thorough(
-    "web/src/features/custom-blocks/sheets.test.tsx: P, F2, Delete and undo"
-)
+@pytest.mark.thorough("web/src/features/custom-blocks/sheets.test.tsx: P, F2, Delete and undo")
 def test_it_all_goes_by_keys(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     keys = studio.page.keyboard

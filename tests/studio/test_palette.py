@@ -86,9 +86,7 @@ def test_the_palette_finds_parts_and_makes_variables_and_parts(open_studio: Open
     a_selection_becomes_a_part_that_is_used_and_shared(studio)
 
 
-@pytest.mark.parametrize(
-    ("language", "word", "other"), cases([("ur", "موسیقی", "دھن")], [("fr", "musique", "Jouer")])
-)
+@pytest.mark.parametrize(("language", "word", "other"), cases([("ur", "موسیقی", "دھن")], [("fr", "musique", "Jouer")]))
 def test_words_are_those_of_the_reader(open_studio: OpenStudio, language: str, word: str, other: str) -> None:
     studio = open_studio("square/square.krt", locale=language)
     studio.at("part-find").fill("gauche" if language == "fr" else "بائیں")

@@ -83,8 +83,8 @@ def a_world_that_was_dropped_can_be_used_at_once(studio: Studio) -> None:
 
 
 @pytest.mark.thorough(
-    "web/src/features/import-files/take.test.tsx: taken, used, a program added; server/test_parts.py: put beside the "
-    "mission; dropped in a browser: test_a_file_that_is_dropped_and_changes_on_disk_is_followed"
+    "web/src/features/import-files/take.test.tsx: taken, used, a program added; server/test_parts.py: put beside "
+    "the mission; dropped in a browser: test_a_file_that_is_dropped_and_changes_on_disk_is_followed"
 )
 def test_robots_worlds_and_constructors_are_chosen_or_dropped_and_used(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)
@@ -155,8 +155,8 @@ def what_holds_no_parts_is_refused_in_a_sentence(studio: Studio) -> None:
 
 
 @pytest.mark.thorough(
-    "web/src/features/import-files/take.test.tsx: refused, and a question for a name that is taken; server/test_parts.py: "
-    "what is no part, too large or different"
+    "web/src/features/import-files/take.test.tsx: refused, and a question for a name that is taken; "
+    "server/test_parts.py: what is no part, too large or different"
 )
 def test_what_holds_no_parts_is_refused_and_a_file_of_that_name_is_replaced_only_after_a_question(
     open_studio: OpenStudio,
@@ -239,9 +239,7 @@ def test_the_robot_and_the_world_of_the_mission_are_followed_too(open_studio: Op
     expect(studio.page.locator(".team")).not_to_contain_text("is not there")
 
 
-@pytest.mark.thorough(
-    "test_a_file_that_is_dropped_and_changes_on_disk_is_followed: parts that come are taken up"
-)
+@pytest.mark.thorough("test_a_file_that_is_dropped_and_changes_on_disk_is_followed: parts that come are taken up")
 def test_a_robot_for_which_a_program_exists_is_taken_up(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)
     file = studio.folder / "square.krt"

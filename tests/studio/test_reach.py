@@ -23,7 +23,9 @@ def needs_axe() -> None:
         pytest.fail("the page's tools are not installed; run `make install`")
 
 
-@pytest.mark.thorough("test_clipping.py: axe looks at each screen, menus and sheets among them, in one theme and language")
+@pytest.mark.thorough(
+    "test_clipping.py: axe looks at each screen, menus and sheets among them, in one theme and language"
+)
 @pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_on_menus_sheets_and_the_empty_program(
     open_studio: OpenStudio, look: tuple[str, ...]
@@ -210,8 +212,8 @@ def the_empty_program_fits_a_small_window(studio: Studio) -> None:
 
 
 @pytest.mark.thorough(
-    "web/src/app/reach.test.tsx: F1 and the outline; more contrast: test_urdu_mirrors_the_page…; the empty program: "
-    "test_clipping.py, the screen nothing yet"
+    "web/src/app/reach.test.tsx: F1 and the outline; more contrast: test_urdu_mirrors_the_page…; the empty program:"
+    " test_clipping.py, the screen nothing yet"
 )
 def test_the_outline_and_f1_help_by_keys_and_more_contrast_are_there_and_a_small_window_is_enough(
     open_studio: OpenStudio,

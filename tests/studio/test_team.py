@@ -167,8 +167,8 @@ def a_world_of_the_folder_can_be_chosen(studio: Studio) -> None:
 
 
 @pytest.mark.thorough(
-    "web/src/features/team/worlds.test.tsx: starts by one click, worlds of the folder; session/actions.test.ts: a program "
-    "without a place for its robot; server/test_parts.py: worlds that there are"
+    "web/src/features/team/worlds.test.tsx: starts by one click, worlds of the folder; session/actions.test.ts: a "
+    "program without a place for its robot; server/test_parts.py: worlds that there are"
 )
 def test_robots_get_a_start_by_one_click_a_program_wants_one_and_a_world_of_the_folder_can_be_chosen(
     open_studio: OpenStudio,

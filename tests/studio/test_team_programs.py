@@ -36,7 +36,8 @@ def test_a_team_s_program_is_drawn_edited_saved_and_run(open_studio: OpenStudio)
 
 
 @pytest.mark.thorough(
-    "test_team_view.py: what_is_typed_before_the_instructions_is_declared_and_saved; undone: web/src/session/typing.test.ts"
+    "test_team_view.py: what_is_typed_before_the_instructions_is_declared_and_saved; undone: "
+    "web/src/session/typing.test.ts"
 )
 def test_what_is_typed_before_the_instructions_is_declared_and_undone(open_studio: OpenStudio) -> None:
     studio = open_studio("convoy/convoy.krt")

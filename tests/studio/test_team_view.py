@@ -98,8 +98,8 @@ def a_role_is_renamed_where_it_is_spoken_of_and_mistakes_stand_on_its_card(studi
 
 
 @pytest.mark.thorough(
-    "web/src/features/team/roster/roster.test.tsx: by keys, menus and drags, renamed, mistakes on cards; dragged, saved "
-    "and told in the text: test_a_team_s_program_is_changed_saved_run_and_its_members_are_followed"
+    "web/src/features/team/roster/roster.test.tsx: by keys, menus and drags, renamed, mistakes on cards; dragged, "
+    "saved and told in the text: test_a_team_s_program_is_changed_saved_run_and_its_members_are_followed"
 )
 def test_the_team_is_made_by_keys_and_by_dragging_and_a_role_is_renamed_with_mistakes_on_its_card(
     open_studio: OpenStudio,
@@ -166,8 +166,8 @@ def test_a_first_program_of_the_team_is_started_and_its_projection_follows_each_
 
 
 @pytest.mark.thorough(
-    "tests/studio/test_team_view.py: started above, run below; what glows: web/src/features/canvas/active.test.tsx; that "
-    "teams of one program run: tests/team_programs"
+    "tests/studio/test_team_view.py: started above, run below; what glows: web/src/features/canvas/active.test.tsx;"
+    " that teams of one program run: tests/team_programs"
 )
 def test_a_first_program_of_the_team_glows_and_runs(open_studio: OpenStudio) -> None:
     studio = open_studio("square/square.krt")

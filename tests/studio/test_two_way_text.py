@@ -254,8 +254,9 @@ def the_three_address_code_follows_while_it_is_shown(studio: Studio) -> None:
 
 
 @pytest.mark.thorough(
-    "web/src/session/typing.test.ts: typed, with mistakes, undone; features/code/code.test.ts and listing.test.tsx; "
-    "server/test_text.py: rubbish too; with a server: test_a_new_program_is_typed_with_completion_marked_and_explained"
+    "web/src/session/typing.test.ts: typed, with mistakes, undone; features/code/code.test.ts and listing.test.tsx;"
+    " server/test_text.py: rubbish too; with a server: "
+    "test_a_new_program_is_typed_with_completion_marked_and_explained"
 )
 def test_graph_and_text_follow_each_other_with_mistakes_and_without(open_studio: OpenStudio) -> None:
     studio, before = opened(open_studio)

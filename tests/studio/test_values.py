@@ -245,8 +245,8 @@ def an_empty_body_shows_where_to_drop_and_what_follows_a_new_loop_goes_inside(st
 
 
 @pytest.mark.thorough(
-    "web/src/features/inspector/values.test.tsx: in place and in the inspector; features/canvas/find.test.tsx: chips in a "
-    "run; editing.test.tsx: empty bodies; test_keys_are_kept_for_a_field…: what needs a layout"
+    "web/src/features/inspector/values.test.tsx: in place and in the inspector; features/canvas/find.test.tsx: "
+    "chips in a run; editing.test.tsx: empty bodies; test_keys_are_kept_for_a_field…: what needs a layout"
 )
 def test_a_value_is_typed_where_it_stands_and_in_the_inspector_and_chips_show_what_sensors_say(
     open_studio: OpenStudio,

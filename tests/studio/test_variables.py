@@ -136,7 +136,9 @@ def a_variable_of_the_robots_own_file_says_where_it_is(studio: Studio) -> None:
     forgive_refusals(studio)
 
 
-@pytest.mark.thorough("tests/server/test_parts.py: names are of any script; web/src/features/palette/variables.test.tsx")
+@pytest.mark.thorough(
+    "tests/server/test_parts.py: names are of any script; web/src/features/palette/variables.test.tsx"
+)
 def test_a_variable_is_made_while_adding_and_in_urdu(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)
     choose(studio, "ur")
@@ -190,8 +192,8 @@ def test_an_unused_one_goes_a_wrong_one_is_refused_and_one_of_the_robots_file_ha
 
 
 @pytest.mark.thorough(
-    "web/src/features/palette/variables.test.tsx: made, used, renamed, changed, removed, undone; session/typing.test.ts: a "
-    "text follows a new name; with a server: test_palette.py"
+    "web/src/features/palette/variables.test.tsx: made, used, renamed, changed, removed, undone; "
+    "session/typing.test.ts: a text follows a new name; with a server: test_palette.py"
 )
 def test_a_variable_is_made_used_renamed_changed_undone_and_removed_after_a_question(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)

@@ -113,8 +113,8 @@ def a_road_that_cannot_be_drawn_is_told_at_the_road(studio: Studio) -> None:
 
 
 @pytest.mark.thorough(
-    "web/src/features/world/world.test.tsx: what is wrong is told at its thing; session/problem-walk.test.ts: F8 leads "
-    "there; server/test_own_world.py: why a road cannot be drawn"
+    "web/src/features/world/world.test.tsx: what is wrong is told at its thing; session/problem-walk.test.ts: F8 "
+    "leads there; server/test_own_world.py: why a road cannot be drawn"
 )
 def test_a_road_that_cannot_be_drawn_is_told_at_the_road(open_studio: OpenStudio) -> None:
     a_road_that_cannot_be_drawn_is_told_at_the_road(open_studio(TRANSPORT))
