@@ -44,7 +44,7 @@ LOOKS: list[object] = [
 Screen = tuple[str, tuple[str | Callable[[Studio], None], ...], str, str | None]
 ALL, CANVAS, DIALOG, MENU = "", ".canvas-room", "dialog[open]", "[role=menu]"
 ELSEWHERE = None
-"""Another journey looks at that screen with axe: test_many_runs.py, test_team.py, test_world.py or the gallery below."""
+"""Another journey looks there with axe: test_many_runs.py, test_team.py, test_world.py, or the gallery below."""
 
 
 def find_hits(studio: Studio) -> None:
