@@ -14,7 +14,7 @@ from tests.workspace.test_drawing_check import WAIT
 
 pytestmark = pytest.mark.browser
 
-PATIENCE_MS = 25000
+PATIENCE_MS = 1000 * PATIENCE_S
 
 
 @pytest.fixture
