@@ -21,7 +21,8 @@ FIND = f"""async ([everyTheme, within]) => {{
     const around = root.outerHTML.slice(0, root.outerHTML.indexOf('>')) + document.body.className;
     const looks = window.axeLooks = (window.axeLooks ?? -1) + 1;
     const parts = [...document.querySelectorAll('.studio > *, .studio > * > *')];
-    const now = new Map(parts.map(part => [part, around + part.outerHTML]));
+    // Written out only where it is asked what is new: it is all of the page.
+    const now = new Map(within !== '' ? [] : parts.map(part => [part, around + part.outerHTML]));
     const same = part => now.has(part) && seen.get(part) === now.get(part);
     const where = within !== '' ? {{ include: [[within]] }}
         : {{ include: [document], exclude: parts.filter(part => same(part) && !same(part.parentElement)) }};

@@ -10,6 +10,7 @@ from playwright.sync_api import Locator, expect
 
 from tests.studio.conftest import Studio
 from tests.studio.studio_page import place_of
+from tests.studio.test_drags import a_test_docks_in_a_slot_and_nests_in_the_hole_of_another
 
 pytestmark = pytest.mark.browser
 
@@ -82,6 +83,10 @@ def pasted_rubbish_is_told_in_a_sentence_and_changes_nothing(studio: Studio, bef
     expect(studio.at("saved-state")).to_have_text("saved")
 
 
+@pytest.mark.thorough(
+    "web/src/features/canvas/clipboard.test.tsx: copied, cut, pasted, refused; server/test_fragments.py reads the "
+    "text; the browser's own clipboard: test_the_graph_is_edited_with_mouse_keys_and_clipboard"
+)
 def test_parts_are_copied_cut_and_pasted_as_lll_text_and_rubbish_is_refused(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     allow_clipboard(studio)
@@ -202,6 +207,10 @@ def shift_drag_on_the_void_selects_what_the_box_touches(studio: Studio) -> None:
     assert abs(start["y"] - canvas["y"] - 18) < 8, "the canvas did not move along"
 
 
+@pytest.mark.thorough(
+    "web/src/features/canvas/editing.test.tsx: menus, wrapping, the box; a box and a menu by a real mouse: "
+    "test_the_graph_is_edited_with_mouse_keys_and_clipboard"
+)
 def test_menus_boxes_and_wrapping_work_on_what_is_selected(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     shift_drag_on_the_void_selects_what_the_box_touches(studio)
@@ -241,8 +250,31 @@ def keys_zoom_to_the_selection_show_the_map_and_follow_the_run(studio: Studio) -
     studio.at("stop-button").click()
 
 
+@pytest.mark.thorough(
+    "web/src/features/canvas/find.test.tsx: find, folds and the camera; active.test.tsx: what runs is followed "
+    "until the canvas is moved; Pane.test.tsx: by the wheel"
+)
 def test_keys_zoom_show_the_map_follow_the_run_find_in_all_programs_and_fold(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     a_collapsed_body_says_how_much_it_holds_and_glows_for_it(studio)
     keys_zoom_to_the_selection_show_the_map_and_follow_the_run(studio)
     find_looks_through_all_programs_and_enter_goes_there(studio)
+
+
+def a_menu_opens_under_the_mouse(studio: Studio) -> None:
+    vertex(studio, "Wheels Stand still").click(button="right")
+    studio.at("menu-context-duplicate").click()
+    expect(studio.page.locator(".vertex-name", has_text="Stand still")).to_have_count(2)
+
+
+def test_the_graph_is_edited_with_mouse_keys_and_clipboard(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
+    allow_clipboard(studio)
+    shift_drag_on_the_void_selects_what_the_box_touches(studio)
+    a_menu_opens_under_the_mouse(studio)
+    studio.take_back()
+    a_test_docks_in_a_slot_and_nests_in_the_hole_of_another(studio)
+    studio.at("part-find").fill("")
+    studio.take_back()
+    copied_parts_are_lll_text_and_paste_into_another_program(studio)
+    lll_typed_elsewhere_pastes_as_parts(studio)

@@ -44,6 +44,11 @@ def greedy(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, open_studio) -> str:
     return "greedy/greedy.krt"
 
 
+@pytest.mark.thorough(
+    "web/src/features/check/CheckPanel.test.tsx: a property is written, a check stopped, answers walked and played;"
+    " BrokenRun.test.tsx: why, and the other way; server/test_verification_socket.py; with a server: "
+    "test_many_runs.py"
+)
 def test_a_property_is_written_and_what_is_broken_is_told_and_played_and_a_check_can_be_stopped(
     open_studio, greedy: str
 ) -> None:
@@ -121,6 +126,7 @@ def stranded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, open_studio) -> st
     return "stranded/stranded.krt"
 
 
+@pytest.mark.thorough("test_many_runs.py: after_an_edit_what_waits_for_ever_is_a_problem_that_a_run_shows")
 def test_after_an_edit_what_waits_for_ever_is_among_the_problems_and_a_press_plays_it_until_the_next_edit(
     open_studio, stranded: str
 ) -> None:

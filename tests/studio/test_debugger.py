@@ -115,6 +115,29 @@ def the_handle_of_the_timeline_goes_anywhere_and_on(studio: Studio) -> None:
     expect(studio.at("status")).to_have_attribute("data-status", PAUSED)
 
 
+def test_a_run_pauses_at_breakpoints_is_stepped_dragged_and_begins_another_future(open_studio: OpenStudio) -> None:
+    studio = started(open_studio)
+    expect(studio.page.locator('.breakpoint[data-reached="true"]')).to_have_count(1)
+    for visit in (2, 3):
+        studio.page.keyboard.press("F5")
+        expect(studio.at("status")).to_contain_text(f"visit {visit}")
+    the_handle_of_the_timeline_goes_anywhere_and_on(studio)
+    studio.at("event-strip").focus()
+    studio.page.keyboard.press("End")
+    studio.at("watch-button").click()
+    count = studio.at("watch-Count").get_by_role("textbox")
+    count.click()
+    count.fill("42")
+    studio.page.keyboard.press("Enter")
+    expect(count).to_have_value("42")
+    what_is_done_in_the_past_begins_another_future(studio)
+
+
+@pytest.mark.thorough(
+    "test_a_run_pauses_at_breakpoints_is_stepped_dragged_and_begins_another_future; "
+    "web/src/features/run/strip.test.tsx: keys of the timeline; server/test_debugging.py: pauses, steps and goes "
+    "back"
+)
 def test_a_run_pauses_at_a_breakpoint_is_stepped_back_and_on_and_led_anywhere_on_its_timeline(
     open_studio: OpenStudio,
 ) -> None:
@@ -168,6 +191,10 @@ def what_is_done_in_the_past_begins_another_future(studio: Studio) -> None:
     expect(flag).to_have_value("1")
 
 
+@pytest.mark.thorough(
+    "web/src/features/debug/watch.test.tsx: set, forced, let go, not taken; server/test_debugging.py: in a run; "
+    "another future: test_a_run_pauses_at_breakpoints_is_stepped_dragged_and_begins_another_future"
+)
 def test_the_watch_sets_variables_forces_sensors_takes_no_number_out_of_range_and_begins_another_future(
     open_studio: OpenStudio,
 ) -> None:
@@ -187,6 +214,10 @@ def a_condition_that_is_none_is_said(studio: Studio) -> None:
     expect(studio.page.get_by_role("alert").first).to_contain_text("no condition")
 
 
+@pytest.mark.thorough(
+    "web/src/features/inspector/values.test.tsx: set by B and by its fields, undone; in the file: "
+    "tests/forms/test_pairs.py; what is no condition: server/test_debugging.py"
+)
 def test_a_breakpoint_is_kept_in_the_mission_and_undone_and_says_what_is_no_condition(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt")
     the_breakpoint_is_kept_in_the_mission_and_undone(studio)

@@ -163,6 +163,10 @@ def a_vertex_cannot_go_into_its_own_body(studio: Studio) -> None:
     expect(studio.at("saved-state")).to_have_text("saved")
 
 
+@pytest.mark.thorough(
+    "web/src/features/canvas/editing.test.tsx: drags by a pointer are spliced, parked, moved, copied, refused; "
+    "docked in slots as they stand on the screen: test_canvas.py"
+)
 def test_parts_and_vertices_are_dragged_spliced_parked_docked_moved_and_copied(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     escape_ends_a_drag_without_a_change(studio)

@@ -12,6 +12,10 @@ from tests.studio.looks import find_nothing
 pytestmark = pytest.mark.browser
 
 
+@pytest.mark.thorough(
+    "test_many_runs.py with a smaller mission; web/src/features/experiment/ExperimentPanel.test.tsx: it is all "
+    "there again when the page was loaded again, by keys; server/test_experiment_routes.py"
+)
 def test_a_dot_of_an_experiment_is_a_run_that_plays(open_studio):
     studio = open_studio("transport/transport.krt")
     page = studio.page

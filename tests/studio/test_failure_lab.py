@@ -104,6 +104,10 @@ def without_a_run_the_menu_says_what_is_missing(studio):
     expect(studio.at("menu-harm-fail")).to_have_attribute("aria-disabled", "true")
 
 
+@pytest.mark.thorough(
+    "web/src/features/arena/hands.test.tsx: the menu of a robot without and with a run; server/test_failures.py; by"
+    " the mouse and a finger: test_a_robot_is_followed_fails_by_hand_and_the_list_says_who_did_it"
+)
 def test_mouse_keys_and_fingers_let_robots_fail_stall_lose_their_radio_and_come_back_once_there_is_a_run(open_studio):
     studio = open_studio(TRANSPORT)
     without_a_run_the_menu_says_what_is_missing(studio)
@@ -136,6 +140,9 @@ def who_is_followed_stays_in_the_middle_until_the_world_is_dragged(studio):
     expect(studio.at("menu-harm-follow")).to_have_attribute("aria-checked", "false")
 
 
+@pytest.mark.thorough(
+    "test_a_robot_is_followed_fails_by_hand_and_the_list_says_who_did_it: it goes on when it comes back"
+)
 def test_a_run_that_failed_goes_on_when_somebody_comes_back(open_studio):
     studio = open_studio("square/square.krt")
     start_paused(studio)
@@ -223,6 +230,10 @@ def the_list_of_what_happened_says_who_brought_it_about_and_leads_there(studio):
     expect(row).to_be_in_viewport()
 
 
+@pytest.mark.thorough(
+    "web/src/features/team/tab.test.tsx and worlds.test.tsx: schedule and chance; features/run/strip.test.tsx: on "
+    "the timeline; server/test_failures.py: in runs"
+)
 def test_a_schedule_and_chance_let_robots_fail(open_studio):
     studio = open_studio(TRANSPORT)
     a_schedule_is_edited_undone_shown_and_kept(studio)
@@ -230,6 +241,10 @@ def test_a_schedule_and_chance_let_robots_fail(open_studio):
     robots_fail_by_chance_as_often_as_is_wanted(studio)
 
 
+@pytest.mark.thorough(
+    "test_a_robot_is_followed_fails_by_hand_and_the_list_says_who_did_it; web/src/features/debug/watch.test.tsx: "
+    "the list"
+)
 def test_stop_leaves_robots_still_one_is_followed_and_the_list_says_who_did_what(open_studio):
     studio = open_studio(TRANSPORT)
     for button in ("stop-button", "team-stop"):
@@ -238,3 +253,25 @@ def test_stop_leaves_robots_still_one_is_followed_and_the_list_says_who_did_what
     studio.page.keyboard.press("Escape")
     studio.at("stop-button").click()
     the_list_of_what_happened_says_who_brought_it_about_and_leads_there(studio)
+
+
+def what_was_done_by_hand_is_in_the_list(studio):
+    studio.at("watch-button").click()
+    row = studio.at("event-list").locator('tr[data-kind="failure"]')
+    expect(row.locator("td").last).to_have_text("by hand")
+
+
+def test_a_robot_is_followed_fails_by_hand_and_the_list_says_who_did_it(open_studio):
+    studio = open_studio("square/square.krt")
+    stop_leaves_every_robot_standing_still(studio, "stop-button")
+    start_paused(studio)
+    place = middle_of(studio, "robot-1")
+    a_finger_that_rests_opens_the_menu(studio, *place)
+    studio.page.mouse.click(*place, button="right")
+    studio.at("menu-harm-fail").click()
+    expect(studio.at("states-said")).to_contain_text("robot-1: failed")
+    expect(studio.at("status")).to_have_attribute("data-status", "failed")
+    what_was_done_by_hand_is_in_the_list(studio)
+    studio.at("arena-canvas").press("Enter")
+    studio.at("menu-harm-revive").click()
+    expect(studio.at("status")).to_have_attribute("data-status", "paused")

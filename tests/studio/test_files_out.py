@@ -16,6 +16,7 @@ from kitrobot.image.listing import assemble
 from kitrobot.image.model import Image
 from tests.effort import cases
 from tests.studio.conftest import EXAMPLES, Studio
+from tests.studio.looks import find_nothing
 
 pytestmark = pytest.mark.browser
 
@@ -75,6 +76,10 @@ def speak(studio: Studio, language: str) -> None:
     expect(studio.page.locator("html")).to_have_attribute("lang", language)
 
 
+@pytest.mark.thorough(
+    "test_pictures_open_again_and_files_and_paper_are_handed_out, of a smaller mission; what pictures carry: "
+    "tests/files; read by the server: server/test_missions.py"
+)
 def test_a_picture_that_is_dropped_on_the_window_or_opened_from_the_menu_opens_its_mission(
     open_studio: OpenStudio, tmp_path: Path
 ) -> None:
@@ -215,6 +220,10 @@ def the_sheet_is_black_on_white_in_every_theme_and_in_the_pages_language(studio:
     assert (right, place.locator("pre").first.evaluate("one => getComputedStyle(one).direction")) == ("rtl", "ltr")
 
 
+@pytest.mark.thorough(
+    "test_pictures_open_again_and_files_and_paper_are_handed_out, of a smaller mission; "
+    "web/src/features/export/sheet: cuts.test.ts; images: server/test_images.py"
+)
 def test_all_graphs_image_listing_and_the_sheet_of_a_mission_in_every_theme_and_the_pages_language(
     open_studio: OpenStudio, tmp_path: Path
 ) -> None:
@@ -253,6 +262,52 @@ def a_picture_without_a_mission_is_told_and_changes_nothing(studio: Studio, tmp_
     studio.faults[:] = [fault for fault in studio.faults if "400" not in fault and "422" not in fault]
 
 
+def the_sheet_is_black_on_white_and_searched_in_its_own_language(studio: Studio) -> None:
+    speak(studio, "ur")
+    hold_the_print_window(studio)
+    studio.page.keyboard.press("Control+p")
+    name = studio.page.title().removeprefix("printing ")
+    pdf = paper(studio, name)
+    assert b"/Subtype /Image" not in pdf
+    assert pages_of(pdf) >= 1
+    letters = b"".join(stream for stream in streams_of(pdf) if b"beginbf" in stream).upper()
+    for letter in "آغاز":
+        assert b"<%04X>" % ord(letter) in letters
+    sheet(studio)
+    place = studio.at("print-sheet")
+    colours = place.evaluate("one => [getComputedStyle(one).color, getComputedStyle(one).backgroundColor]")
+    assert colours == ["rgb(0, 0, 0)", "rgb(255, 255, 255)"]
+    right = place.locator("h1").evaluate("one => getComputedStyle(one).direction")
+    assert (right, place.locator("pre").first.evaluate("one => getComputedStyle(one).direction")) == ("rtl", "ltr")
+    find_nothing(studio, "the printed sheet", within="[data-testid='print-sheet']")
+    for chrome in ("menu-File", "canvas", "run-button", "code"):
+        expect(studio.at(chrome)).to_be_hidden()
+    leave_the_sheet(studio)
+
+
+def test_pictures_open_again_and_files_and_paper_are_handed_out(open_studio: OpenStudio, tmp_path: Path) -> None:
+    studio = open_studio("blink/blink.krt")
+    studio.expect_code("Light.LightOn")
+    before = studio.code()
+    mission = (EXAMPLES / "blink" / "blink.krt").read_bytes().strip()
+    kept = {kind: keep(studio, f"export-{kind}", tmp_path) for kind in ("svg", "png")}
+    image, listing = (keep(studio, f"download-{kind}", tmp_path) for kind in ("kri", "kra"))
+    made = Image.from_bytes(image.read_bytes()).to_bytes()
+    assert assemble(listing.read_text(encoding="utf-8"), "blink.kra").to_bytes() == made
+    for kind, opens in (("svg", drop_file), ("png", choose_file)):
+        assert carried_mission(kept[kind].read_bytes(), kept[kind].name)[0].strip() == mission, kind
+        studio.new_mission()
+        opens(studio, kept[kind])
+        studio.expect_code("Light.LightOn")
+        assert studio.code() == before, kind
+    a_picture_without_a_mission_is_told_and_changes_nothing(studio, tmp_path)
+    the_sheet_is_black_on_white_and_searched_in_its_own_language(studio)
+
+
+@pytest.mark.thorough(
+    "test_pictures_open_again_and_files_and_paper_are_handed_out; words of pictures: web/src/components/graph in "
+    "test_clipping.py; a program with errors: server/test_images.py"
+)
 def test_pictures_have_words_and_a_mission_errors_have_no_image_and_ctrl_p_prints(
     open_studio: OpenStudio, tmp_path: Path
 ) -> None:

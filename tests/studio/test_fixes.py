@@ -88,6 +88,10 @@ def a_program_that_ends_at_once_says_so_whole_and_is_mended(studio: Studio) -> N
         expect(studio.at("fix-1")).to_have_count(0)
 
 
+@pytest.mark.thorough(
+    "web/src/session/fixes.test.ts and features/problems/ProblemList.test.tsx: mended in text and graph, undone; "
+    "features/arena/stage/account.test.ts: a program that ends at once; the result whole: test_clipping.py, done"
+)
 def test_a_slip_a_wrong_name_and_a_program_that_ends_at_once_are_said_and_mended_by_key_and_by_click(
     open_studio: OpenStudio,
 ) -> None:

@@ -104,6 +104,19 @@ def dice_are_thrown_by_a_shake(studio: Studio) -> None:
     studio.page.keyboard.up("s")
 
 
+def test_a_board_is_held_in_the_arena_by_mouse_and_keys(open_studio: OpenStudio) -> None:
+    studio = open_studio("dice/dice.krt")
+    find_nothing(studio, "a board before a run", within=".side-arena")
+    begin(studio)
+    a_press_on_the_canvas_beside_the_buttons_holds_nothing(studio)
+    dice_are_thrown_by_a_shake(studio)
+    a_button_of_the_board_is_pressed_with_the_mouse_in_the_arena(studio)
+
+
+@pytest.mark.thorough(
+    "web/src/features/arena/hands.test.tsx and components/scene/boards.test.ts: before a run, by pointers and keys;"
+    " drawn buttons and keys of the arena: test_a_board_is_held_in_the_arena_by_mouse_and_keys"
+)
 def test_a_board_is_held_by_mouse_and_keys_shaken_and_watched_once_it_runs(open_studio: OpenStudio) -> None:
     studio = open_studio("dice/dice.krt")
     before_a_run_there_is_a_board_and_nothing_to_hold(studio)
@@ -140,7 +153,7 @@ def test_keys_are_there_in_every_language(open_studio: OpenStudio, language: str
     expect(studio.at("hand-ButtonA")).to_contain_text(names[language])
 
 
-@pytest.mark.thorough("test_a_board_is_held_by_mouse_and_keys_shaken_and_watched_once_it_runs looks with axe")
+@pytest.mark.thorough("test_a_board_is_held_in_the_arena_by_mouse_and_keys looks with axe")
 @pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_on_a_board(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio("dice/dice.krt")

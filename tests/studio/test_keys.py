@@ -113,6 +113,28 @@ def nothing_on_the_page_is_for_the_mouse_alone(studio: Studio) -> None:
     assert studio.page.evaluate(NO_WAY) == []
 
 
+def test_rooms_are_walked_by_keys_alt_leads_to_the_menus_and_nothing_is_for_the_mouse_alone(
+    open_studio: OpenStudio,
+) -> None:
+    studio = open_studio("square/square.krt")
+    studio.at("canvas").focus()
+    studio.page.keyboard.press("Alt")
+    expect(studio.at("menu-File")).to_be_focused()
+    studio.page.keyboard.press("h")
+    expect(studio.page.get_by_role("menu")).to_be_visible()
+    studio.page.keyboard.press("Escape")
+    studio.page.keyboard.press("Escape")
+    rooms_are_walked(studio)
+    speed_follows_its_keys_but_not_while_one_types(studio)
+    studio.page.locator(".vertex", has_text="Repeat").first.locator(".vertex-name").click()
+    assert studio.page.evaluate(NO_WAY) == []
+
+
+@pytest.mark.thorough(
+    "web/src/app/reach.test.tsx: every entry of every menu is reached and in the list of keys, programs by keys; "
+    "features/canvas/editing.test.tsx: menus of the graph, another script; "
+    "test_rooms_are_walked_by_keys_alt_leads_to_the_menus_and_nothing_is_for_the_mouse_alone"
+)
 def test_every_menu_entry_and_room_is_reached_by_keys_which_are_listed_and_nothing_is_for_the_mouse_alone(
     open_studio: OpenStudio,
 ) -> None:
@@ -160,6 +182,10 @@ def programs_are_walked_moved_renamed_and_removed(studio: Studio) -> None:
     expect(studio.at("add-program")).to_have_attribute("aria-expanded", "true")
 
 
+@pytest.mark.thorough(
+    "web/src/features/canvas/editing.test.tsx: by keys alone; features/new-mission/choosing.test.ts: the pictures; "
+    "test_first_minutes.py begins with keys"
+)
 def test_a_program_is_drawn_without_a_mouse(open_studio: OpenStudio) -> None:
     studio = open_studio(None)
     keys = studio.page.keyboard
@@ -192,9 +218,7 @@ def test_a_program_is_drawn_without_a_mouse(open_studio: OpenStudio) -> None:
     expect(studio.at("code")).to_contain_text(re.compile(r"\*\[\s*\]\(\s*WAIT\(10\);\s*10\*\("))
 
 
-@pytest.mark.thorough(
-    "web/src/features/palette/tree.test.ts; test_a_program_is_drawn_without_a_mouse adds parts by keys"
-)
+@pytest.mark.thorough("web/src/features/palette/tree.test.ts and variables.test.tsx: walked by arrows, and Enter adds")
 def test_the_parts_are_walked_and_enter_puts_one_at_the_selection(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     keys = studio.page.keyboard
@@ -219,6 +243,19 @@ def test_the_parts_are_walked_and_enter_puts_one_at_the_selection(open_studio: O
 
 
 def f7_goes_through_the_rooms_and_the_arena_answers_keys(studio: Studio) -> None:
+    rooms_are_walked(studio)
+    keys = studio.page.keyboard
+    studio.at("arena-canvas").focus()
+    for key in ("ArrowLeft", "+", "-", "0"):
+        keys.press(key)
+    keys.press("n")
+    expect(studio.at("tab-carrier")).to_have_attribute("aria-selected", "true")
+    keys.press("Shift+N")
+    keys.press("Shift+N")
+    expect(studio.at("tab-carrier")).to_have_attribute("aria-selected", "false")
+
+
+def rooms_are_walked(studio: Studio) -> None:
     keys = studio.page.keyboard
     studio.at("canvas").focus()
     rooms: list[str] = []
@@ -230,14 +267,6 @@ def f7_goes_through_the_rooms_and_the_arena_answers_keys(studio: Studio) -> None
         if rooms.count("canvas") == 2:
             break
     assert {"menubar", "toolbar", "parts", "tabs", "canvas", "side-code", "side-arena", "bottom-bar"} <= set(rooms)
-    studio.at("arena-canvas").focus()
-    for key in ("ArrowLeft", "+", "-", "0"):
-        keys.press(key)
-    keys.press("n")
-    expect(studio.at("tab-carrier")).to_have_attribute("aria-selected", "true")
-    keys.press("Shift+N")
-    keys.press("Shift+N")
-    expect(studio.at("tab-carrier")).to_have_attribute("aria-selected", "false")
 
 
 def keys_mean_the_same_on_a_keyboard_of_another_script(studio: Studio) -> None:

@@ -123,6 +123,11 @@ def the_second_bar_says_for_whom_it_waits(studio: Studio) -> None:
     expect(waits).to_have_text(re.compile(r"^0\s*waits for\s*1$"))
 
 
+@pytest.mark.thorough(
+    "web/src/features/canvas/notes.test.tsx and find.test.tsx: notes, and for whom a bar waits; "
+    "model/layout/layout.test.ts: the lane of a Break; that a note is seen and axe: test_clipping.py, the screen a "
+    "note"
+)
 def test_a_note_is_written_edited_and_removed_where_it_stands_a_break_has_a_lane_and_a_bar_says_for_whom_it_waits(
     open_studio: OpenStudio,
 ) -> None:

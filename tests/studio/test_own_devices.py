@@ -23,6 +23,10 @@ def studio(open_studio: OpenStudio, tmp_path: Path) -> Studio:
     return open_studio(gardener(folder))
 
 
+@pytest.mark.thorough(
+    "web/src/features/arena/hands.test.tsx: a slider sets its sensor; components/scene/boards.test.ts: what "
+    "indicators show; devices in a run: tests/sim"
+)
 def test_a_slider_is_moved_by_hand_and_the_pump_beside_the_robot_follows(studio: Studio) -> None:
     slider = studio.at("hand-Moisture")
     expect(slider).to_be_disabled()

@@ -57,6 +57,11 @@ def saved_text(studio: Studio) -> str:
     return download.value.path().read_text()
 
 
+@pytest.mark.thorough(
+    "web/src/features/custom-blocks/sheets.test.tsx: saved, used, changed, deleted, undone; "
+    "server/test_own_parts.py: offered, made and read; that it runs: mission and compiler tests of constructors; "
+    "with a server: test_palette.py"
+)
 def test_a_selection_is_saved_used_run_edited_and_deleted_and_all_of_it_is_undone(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     keys = studio.page.keyboard
@@ -121,9 +126,7 @@ def test_a_selection_is_saved_used_run_edited_and_deleted_and_all_of_it_is_undon
     assert saved_text(studio) == first
 
 
-@pytest.mark.thorough(
-    "test_a_selection_is_saved_used_run_edited_and_deleted_and_all_of_it_is_undone: P, F2, Delete, Ctrl+Z"
-)
+@pytest.mark.thorough("web/src/features/custom-blocks/sheets.test.tsx: P, F2, Delete and undo")
 def test_it_all_goes_by_keys(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     keys = studio.page.keyboard
@@ -186,6 +189,10 @@ def parts_are_shared_as_a_file(studio: Studio) -> None:
     assert '<constructor name="Mine"' in download.value.path().read_text()
 
 
+@pytest.mark.thorough(
+    "web/src/features/custom-blocks/sheets.test.tsx: names and selections that cannot be; axe on the sheet: "
+    "test_clipping.py, a part of one's own; shared as a file: test_palette.py"
+)
 def test_what_cannot_be_a_part_or_its_name_is_told_and_parts_are_shared_as_a_file(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     a_name_that_cannot_be_is_told_at_once(studio)
@@ -208,7 +215,7 @@ def test_in_urdu_the_sheet_is_mirrored(open_studio: OpenStudio) -> None:
     expect(studio.at("own-name")).to_have_value(re.compile("میرا پرزہ"))
 
 
-@pytest.mark.thorough("a_name_that_cannot_be_is_told_at_once looks at the sheet with axe")
+@pytest.mark.thorough("test_clipping.py, the screen a part of one's own: axe looks at the sheet")
 @pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_on_the_sheets(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio(TRANSPORT)
@@ -254,7 +261,7 @@ def test_a_part_is_still_there_after_a_reload_with_its_undo(open_studio: OpenStu
 
 
 @pytest.mark.thorough(
-    "tests/studio/test_variables.py::a_finger_that_rests_opens_the_menu, on the same row of the palette"
+    "web/src/features/palette/variables.test.tsx: a finger that rests, on the same rows of the palette"
 )
 def test_a_finger_that_rests_on_a_part_opens_its_menu(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT, has_touch=True)

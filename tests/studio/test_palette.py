@@ -5,8 +5,11 @@ from __future__ import annotations
 import pytest
 from playwright.sync_api import expect
 
+from tests.effort import cases
 from tests.studio.robot_rows import OpenStudio
 from tests.studio.studio_page import Studio
+from tests.studio.test_own_parts import choose, row, save_part
+from tests.studio.test_variables import make
 
 NEAR_TOP = """(section) => {
     const list = section.closest('.palette-list');
@@ -53,14 +56,37 @@ def what_this_robot_cannot_do_is_told_of_those_that_can(studio: Studio) -> None:
     studio.at("part-find").fill("")
 
 
-def test_the_palette_has_tabs_and_finds_what_a_child_types(open_studio: OpenStudio) -> None:
+def a_variable_is_made_and_used(studio: Studio) -> None:
+    studio.at("new-variable").click()
+    make(studio, "Trips", max="9")
+    studio.page.locator('[data-testid^="part-Trips."]').first.click()
+    studio.expect_code("Trips.")
+
+
+def a_selection_becomes_a_part_that_is_used_and_shared(studio: Studio) -> None:
+    studio.page.locator(".vertex", has_text="Repeat").first.click(position={"x": 12, "y": 12})
+    studio.page.keyboard.press("p")
+    save_part(studio, "Mine")
+    expect(row(studio, "Mine")).to_be_visible()
+    before = studio.code()
+    row(studio, "Mine").click()
+    expect(studio.page.locator(".vertex", has_text="Mine")).to_have_count(2)
+    expect(studio.at("code")).not_to_have_text(before)
+    with studio.page.expect_download() as download:
+        choose(studio, "Mine", "Download my parts")
+    assert '<constructor name="Mine"' in download.value.path().read_text()
+
+
+def test_the_palette_finds_parts_and_makes_variables_and_parts(open_studio: OpenStudio) -> None:
     studio = open_studio("square/square.krt")
     tabs_lead_to_their_parts_and_nothing_is_closed(studio)
     words_of_the_xml_find_parts_and_enter_adds_the_best(studio)
     what_this_robot_cannot_do_is_told_of_those_that_can(studio)
+    a_variable_is_made_and_used(studio)
+    a_selection_becomes_a_part_that_is_used_and_shared(studio)
 
 
-@pytest.mark.parametrize(("language", "word", "other"), [("fr", "musique", "Jouer"), ("ur", "موسیقی", "دھن")])
+@pytest.mark.parametrize(("language", "word", "other"), cases([("ur", "موسیقی", "دھن")], [("fr", "musique", "Jouer")]))
 def test_words_are_those_of_the_reader(open_studio: OpenStudio, language: str, word: str, other: str) -> None:
     studio = open_studio("square/square.krt", locale=language)
     studio.at("part-find").fill("gauche" if language == "fr" else "بائیں")

@@ -82,6 +82,10 @@ def a_world_that_was_dropped_can_be_used_at_once(studio: Studio) -> None:
     expect(studio.page.locator(".arena")).to_contain_text("Yard")
 
 
+@pytest.mark.thorough(
+    "web/src/features/import-files/take.test.tsx: taken, used, a program added; server/test_parts.py: put beside "
+    "the mission; dropped in a browser: test_a_file_that_is_dropped_and_changes_on_disk_is_followed"
+)
 def test_robots_worlds_and_constructors_are_chosen_or_dropped_and_used(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)
     parts_are_chosen_from_the_menu(studio)
@@ -150,6 +154,10 @@ def what_holds_no_parts_is_refused_in_a_sentence(studio: Studio) -> None:
     forgive_refusals(studio)
 
 
+@pytest.mark.thorough(
+    "web/src/features/import-files/take.test.tsx: refused, and a question for a name that is taken; "
+    "server/test_parts.py: what is no part, too large or different"
+)
 def test_what_holds_no_parts_is_refused_and_a_file_of_that_name_is_replaced_only_after_a_question(
     open_studio: OpenStudio,
 ) -> None:
@@ -178,10 +186,10 @@ def parts_are_chosen_from_the_menu(studio: Studio) -> None:
     expect(studio.at("part-Again")).to_be_visible()
 
 
-def test_a_file_that_changes_on_disk_is_followed_while_the_studio_runs(open_studio: OpenStudio) -> None:
+def test_a_file_that_is_dropped_and_changes_on_disk_is_followed(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)
     file = studio.folder / "mine.xml"
-    file.write_text(CONSTRUCTORS)
+    drop(studio, mine_xml=CONSTRUCTORS)
     studio.at("part-Twice").click()
     studio.expect_code("2*(")
     # The palette keeps what is searched for and who has the focus.
@@ -211,7 +219,7 @@ def test_a_file_that_changes_on_disk_is_followed_while_the_studio_runs(open_stud
 
 
 @pytest.mark.thorough(
-    "tests/server/test_parts.py: the world belongs to the mission; test_a_file_that_changes_on_disk_is_followed…"
+    "tests/server/test_parts.py: the world belongs to the mission; test_a_file_that_is_dropped_and_changes_on_disk…"
 )
 def test_the_robot_and_the_world_of_the_mission_are_followed_too(open_studio: OpenStudio) -> None:
     studio = open_studio("stripes/stripes.krt")
@@ -231,9 +239,7 @@ def test_the_robot_and_the_world_of_the_mission_are_followed_too(open_studio: Op
     expect(studio.page.locator(".team")).not_to_contain_text("is not there")
 
 
-@pytest.mark.thorough(
-    "test_a_file_that_changes_on_disk_is_followed_while_the_studio_runs: parts that come are taken up"
-)
+@pytest.mark.thorough("test_a_file_that_is_dropped_and_changes_on_disk_is_followed: parts that come are taken up")
 def test_a_robot_for_which_a_program_exists_is_taken_up(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)
     file = studio.folder / "square.krt"
@@ -248,7 +254,7 @@ def test_a_robot_for_which_a_program_exists_is_taken_up(open_studio: OpenStudio)
     expect(studio.at("code")).not_to_be_empty()
 
 
-@pytest.mark.thorough("tests/server/test_languages.py and test_robots_worlds_and_constructors_are_chosen_or_dropped…")
+@pytest.mark.thorough("tests/server/test_languages.py; web/src/features/import-files/take.test.tsx")
 def test_parts_are_dropped_in_urdu(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)
     choose(studio, "ur")

@@ -23,7 +23,7 @@ from tests.studio.test_class import SQUARE, Class, add_part, expect_kept
 TAKEN = os.environ.get("KITROBOT_PICTURES", "") != ""
 pytestmark = [
     pytest.mark.browser,
-    *([] if TAKEN else [pytest.mark.thorough("tests/studio/test_canvas.py, test_keys.py::test_a_program_is_drawn…")]),
+    *([] if TAKEN else [pytest.mark.thorough("tests/studio/test_canvas.py, test_first_minutes.py")]),
 ]
 
 OpenStudio = Callable[..., Studio]

@@ -23,6 +23,9 @@ def needs_axe() -> None:
         pytest.fail("the page's tools are not installed; run `make install`")
 
 
+@pytest.mark.thorough(
+    "test_clipping.py: axe looks at each screen, menus and sheets among them, in one theme and language"
+)
 @pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_on_menus_sheets_and_the_empty_program(
     open_studio: OpenStudio, look: tuple[str, ...]
@@ -107,6 +110,7 @@ def a_menu_and_arrow_keys_follow_the_mirrored_page(studio: Studio) -> None:
 
 def test_urdu_mirrors_the_page_its_menus_and_arrow_keys_and_cuts_nothing_off(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
+    a_system_that_wants_more_contrast_gets_it(studio)
     urdu_mirrors_the_page_and_cuts_nothing_off(studio)
     a_menu_and_arrow_keys_follow_the_mirrored_page(studio)
 
@@ -147,6 +151,18 @@ def what_is_done_in_another_language_is_kept_in_the_journal(studio: Studio) -> N
     studio.at("undo").click()
 
 
+def test_language_theme_and_work_are_there_after_another_language_and_a_reload(open_studio: OpenStudio) -> None:
+    studio = open_studio("square/square.krt")
+    choose(studio, "fr", "contrast")
+    what_is_done_in_another_language_is_kept_in_the_journal(studio)
+    expect(studio.at("run-button")).to_have_text("Lancer")
+    expect(studio.page.locator("html")).to_have_attribute("data-theme", "contrast")
+
+
+@pytest.mark.thorough(
+    "test_language_theme_and_work_are_there_after_another_language_and_a_reload; a history that another language "
+    "keeps: web/src/model/everything.test.ts, the document knows no language"
+)
 def test_another_language_keeps_the_document_with_its_history_and_is_remembered_with_the_theme(
     open_studio: OpenStudio,
 ) -> None:
@@ -195,6 +211,10 @@ def the_empty_program_fits_a_small_window(studio: Studio) -> None:
     assert card["x"] + card["width"] <= canvas["x"] + canvas["width"]
 
 
+@pytest.mark.thorough(
+    "web/src/app/reach.test.tsx: F1 and the outline; more contrast: test_urdu_mirrors_the_page…; the empty program:"
+    " test_clipping.py, the screen nothing yet"
+)
 def test_the_outline_and_f1_help_by_keys_and_more_contrast_are_there_and_a_small_window_is_enough(
     open_studio: OpenStudio,
 ) -> None:

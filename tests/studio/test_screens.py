@@ -108,6 +108,9 @@ def axe_finds_nothing_on_problems_and_on_text_with_a_mistake(studio: Studio) -> 
     find_nothing(studio, "three-address code", within=".side-code")
 
 
+@pytest.mark.thorough(
+    "test_clipping.py: axe looks at each screen, a part, a menu, a note, find, a mistake and a run among them"
+)
 @pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_on_the_tools_of_the_canvas_problems_a_mistake_and_a_run(
     open_studio: OpenStudio, look: tuple[str, ...]
@@ -200,6 +203,10 @@ def the_printed_sheet(studio: Studio) -> None:
     find_nothing(studio, "the printed sheet", within="[data-testid='print-sheet']")
 
 
+@pytest.mark.thorough(
+    "test_clipping.py: axe looks at a breakpoint, the watch, the stage and the result; the printed sheet: "
+    "test_files_out.py; differences and a merge: web/src/app/DifferenceSheet.test.tsx"
+)
 def test_axe_finds_nothing_on_a_breakpoint_the_watch_the_stage_a_merge_and_the_printed_sheet(
     open_studio: OpenStudio,
 ) -> None:
@@ -262,6 +269,9 @@ def who_wants_less_motion_gets_none_anywhere(studio: Studio) -> None:
     assert studio.page.evaluate("document.getAnimations().length") == 0
 
 
+@pytest.mark.thorough(
+    "web/src/app/reach.test.tsx: what happens is said; less motion: test_clipping.py, the first screen"
+)
 def test_what_happens_is_said_and_who_wants_less_motion_gets_none(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT, reduced_motion="reduce")
     who_wants_less_motion_gets_none_anywhere(studio)

@@ -11,6 +11,10 @@ from tests.studio.looks import find_nothing
 pytestmark = pytest.mark.browser
 
 
+@pytest.mark.thorough(
+    "test_many_runs.py with a smaller mission; web/src/features/sweep/SweepPanel.test.tsx: asked, walked by keys, "
+    "played; server/test_sweep_socket.py"
+)
 def test_a_field_of_the_map_is_played_and_ends_as_it_says(open_studio):
     studio = open_studio("transport/transport.krt")
     studio.at("menu-Run").click()

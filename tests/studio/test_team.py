@@ -137,13 +137,15 @@ def the_tabs_are_walked_by_arrows_to_the_team_and_back(studio: Studio) -> None:
     expect(studio.at("team")).to_be_hidden()
 
 
-def test_tabs_are_walked_and_the_arena_shows_what_was_edited_and_another_world_at_once(
-    open_studio: OpenStudio,
-) -> None:
+def test_tabs_are_walked_and_the_arena_shows_another_world_at_once(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     the_tabs_are_walked_by_arrows_to_the_team_and_back(studio)
     another_world_is_in_the_arena_at_once_and_undo_brings_the_old_one_back(studio)
-    studio.take_back()
+
+
+@pytest.mark.thorough("web/src/features/arena/arena.test.ts: a mission that was edited since its run")
+def test_after_a_run_the_arena_shows_what_was_edited_and_in_its_past_the_run(open_studio: OpenStudio) -> None:
+    studio = open_studio(TRANSPORT)
     after_a_run_the_arena_shows_what_was_edited_and_in_its_past_the_run(studio)
 
 
@@ -164,6 +166,10 @@ def a_world_of_the_folder_can_be_chosen(studio: Studio) -> None:
     assert 'href="yard.world.xml"' in save(studio, "square.krt")
 
 
+@pytest.mark.thorough(
+    "web/src/features/team/worlds.test.tsx: starts by one click, worlds of the folder; session/actions.test.ts: a "
+    "program without a place for its robot; server/test_parts.py: worlds that there are"
+)
 def test_robots_get_a_start_by_one_click_a_program_wants_one_and_a_world_of_the_folder_can_be_chosen(
     open_studio: OpenStudio,
 ) -> None:

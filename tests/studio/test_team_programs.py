@@ -14,6 +14,7 @@ pytestmark = pytest.mark.browser
 OpenStudio = Callable[[str | None], Studio]
 
 
+@pytest.mark.thorough("test_team_view.py: test_a_team_s_program_is_changed_saved_run_and_its_members_are_followed")
 def test_a_team_s_program_is_drawn_edited_saved_and_run(open_studio: OpenStudio) -> None:
     studio = open_studio("convoy/convoy.krt")
     studio.expect_code("SeqOfPar convoy (")
@@ -34,6 +35,10 @@ def test_a_team_s_program_is_drawn_edited_saved_and_run(open_studio: OpenStudio)
     expect(studio.at("status")).to_contain_text("robot-2 failed")
 
 
+@pytest.mark.thorough(
+    "test_team_view.py: what_is_typed_before_the_instructions_is_declared_and_saved; undone: "
+    "web/src/session/typing.test.ts"
+)
 def test_what_is_typed_before_the_instructions_is_declared_and_undone(open_studio: OpenStudio) -> None:
     studio = open_studio("convoy/convoy.krt")
     studio.expect_code("role follower: mini-robot 2;")

@@ -97,6 +97,10 @@ def a_role_is_renamed_where_it_is_spoken_of_and_mistakes_stand_on_its_card(studi
     expect(studio.at("trouble-follower")).to_have_count(0)
 
 
+@pytest.mark.thorough(
+    "web/src/features/team/roster/roster.test.tsx: by keys, menus and drags, renamed, mistakes on cards; dragged, "
+    "saved and told in the text: test_a_team_s_program_is_changed_saved_run_and_its_members_are_followed"
+)
 def test_the_team_is_made_by_keys_and_by_dragging_and_a_role_is_renamed_with_mistakes_on_its_card(
     open_studio: OpenStudio,
 ) -> None:
@@ -108,13 +112,16 @@ def test_the_team_is_made_by_keys_and_by_dragging_and_a_role_is_renamed_with_mis
     a_role_is_renamed_where_it_is_spoken_of_and_mistakes_stand_on_its_card(studio)
 
 
-def a_first_program_of_the_team_is_started_its_members_glow_and_it_runs(studio: Studio) -> None:
+def a_first_program_of_the_team_is_started(studio: Studio) -> None:
     studio.at("tab-of-team").click()
     expect(studio.at("first-team")).to_contain_text("what the robots do together")
     studio.at("start-team").click()
     expect(studio.at("tab-team")).to_have_attribute("aria-selected", "true")
     studio.expect_code("ParOfSeq square ( PROGRAM square; );")
     expect(studio.at("card-square")).to_contain_text("1 of 1")
+
+
+def its_members_glow_it_has_programs_of_groups_and_runs(studio: Studio) -> None:
     members_glow_in_a_program_that_stands_in_the_team_s(studio)
     studio.at("add-program").click()
     studio.page.get_by_role("menuitem", name="Program of a group").click()
@@ -151,17 +158,61 @@ def the_projection_follows_each_edit_and_leads_to_vertices_and_back(studio: Stud
     expect(studio.at("projection-none")).to_contain_text("There is a mistake")
 
 
-def test_a_first_program_of_the_team_is_started_runs_and_its_projection_follows_each_edit(
-    open_studio: OpenStudio,
-) -> None:
+def test_a_first_program_of_the_team_is_started_and_its_projection_follows_each_edit(open_studio: OpenStudio) -> None:
     studio = open_studio("square/square.krt")
     expect(studio.at("code-tab-projection")).to_have_count(0)
-    a_first_program_of_the_team_is_started_its_members_glow_and_it_runs(studio)
+    a_first_program_of_the_team_is_started(studio)
     the_projection_follows_each_edit_and_leads_to_vertices_and_back(studio)
 
 
-def test_every_member_s_place_glows_and_who_is_missing_is_said(open_studio: OpenStudio) -> None:
+@pytest.mark.thorough(
+    "tests/studio/test_team_view.py: started above, run below; what glows: web/src/features/canvas/active.test.tsx;"
+    " that teams of one program run: tests/team_programs"
+)
+def test_a_first_program_of_the_team_glows_and_runs(open_studio: OpenStudio) -> None:
+    studio = open_studio("square/square.krt")
+    a_first_program_of_the_team_is_started(studio)
+    its_members_glow_it_has_programs_of_groups_and_runs(studio)
+
+
+def robots_are_dragged_into_a_role_of_the_text(studio: Studio) -> None:
+    studio.at("side-team").click()
+    studio.drag(studio.at("chip-robot-4"), studio.at("card-leader"))
+    studio.expect_code("role leader: mini-robot 1..2;")
+    studio.at("change-leader").click()
+    find_nothing(studio, "roster", within=".side")
+    studio.take_back()
+    # What is taken back is shown: that was a change of the team.
+    studio.page.locator("[role=tab][data-program]").first.click()
+
+
+def what_is_typed_before_the_instructions_is_declared_and_saved(studio: Studio) -> None:
+    studio.edit_code()
+    studio.page.keyboard.press("Control+Home")
+    studio.page.keyboard.type("work Stones = 3;\n")
+    expect(studio.at("saved-state")).to_have_text("not saved")
+    studio.at("canvas").focus()
+    studio.expect_code("work Stones = 3;")
+    studio.page.locator(".vertex", has_text="Each on its own").first.click()
+    studio.page.keyboard.press("Control+d")
+    saved = save(studio, FILE)
+    assert '<work name="Stones" units="3"/>' in saved
+    assert '<program name="convoy" level="social">' in saved
+    assert saved.count('element="ParOfSeq"') == 3
+    studio.take_back()
+
+
+def test_a_team_s_program_is_changed_saved_run_and_its_members_are_followed(open_studio: OpenStudio) -> None:
     studio = open_studio(CONVOY)
+    studio.expect_code("SeqOfPar convoy (")
+    expect(studio.page.locator(".vertex.is-unknown")).to_have_count(0)
+    expect(studio.at("part-SeqOfPar")).to_be_visible()
+    robots_are_dragged_into_a_role_of_the_text(studio)
+    what_is_typed_before_the_instructions_is_declared_and_saved(studio)
+    every_member_s_place_glows_and_who_is_missing_is_said(studio)
+
+
+def every_member_s_place_glows_and_who_is_missing_is_said(studio: Studio) -> None:
     studio.full_speed()
     studio.at("run-button").click()
     studio.wait_until_done()

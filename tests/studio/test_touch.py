@@ -297,12 +297,17 @@ def nothing_is_cut_off_and_stop_is_always_there(studio: Studio, size: ViewportSi
     canvas = place_of(studio.at("canvas"))
     assert canvas["width"] >= 380
     if size is PHONE:
-        for room, shown in (("palette", "part-find"), ("code", "code"), ("arena", "arena-canvas")):
+        rooms = {
+            "palette": ("part-find", ".parts"),
+            "code": ("code", ".side-code"),
+            "arena": ("arena-canvas", ".side-arena"),
+        }
+        for room, (shown, inside) in rooms.items():
             studio.at(f"room-{room}").tap()
             expect(studio.at(shown)).to_be_in_viewport()
             expect(studio.at("canvas")).to_be_in_viewport()
             assert page.evaluate(WIDER) is False, room
-            find_nothing(studio, room)
+            find_nothing(studio, room, within=inside)
         expect(studio.at("arena-large")).to_be_in_viewport(ratio=1)
         studio.at("room-arena").tap()
         expect(studio.at("arena-canvas")).not_to_be_visible()

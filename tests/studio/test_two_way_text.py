@@ -159,7 +159,7 @@ def an_edit_of_the_graph_changes_the_text_and_the_other_way_round(studio: Studio
     studio.expect_code("WAIT(10);")
 
 
-@pytest.mark.thorough("web/src/session/typing.test.ts; test_graph_and_text_follow_each_other_with_mistakes_and_without")
+@pytest.mark.thorough("web/src/session/typing.test.ts; server/test_text.py")
 def test_graph_and_text_follow_each_other_and_the_selection_stays(open_studio: OpenStudio) -> None:
     studio, _ = opened(open_studio)
     an_edit_of_the_graph_changes_the_text_and_the_other_way_round(studio)
@@ -253,6 +253,11 @@ def the_three_address_code_follows_while_it_is_shown(studio: Studio) -> None:
     studio.expect_code("WAIT(10);")
 
 
+@pytest.mark.thorough(
+    "web/src/session/typing.test.ts: typed, with mistakes, undone; features/code/code.test.ts and listing.test.tsx;"
+    " server/test_text.py: rubbish too; with a server: "
+    "test_a_new_program_is_typed_with_completion_marked_and_explained"
+)
 def test_graph_and_text_follow_each_other_with_mistakes_and_without(open_studio: OpenStudio) -> None:
     studio, before = opened(open_studio)
     an_instruction_that_is_typed_appears_as_a_vertex_and_undo_takes_both_back(studio, before)

@@ -163,7 +163,7 @@ def press_until_nothing_is_left(studio: Studio, keys: str, button: str) -> int:
     raise AssertionError(f"{button} never ends")
 
 
-@pytest.mark.thorough("web/src/model/everything.test.ts; by hand: tests/studio/test_variables.py")
+@pytest.mark.thorough("web/src/model/everything.test.ts; by hand: web/src/features/palette/variables.test.tsx")
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_edits_of_all_kinds_are_undone_to_the_same_bytes_and_done_again(open_studio: OpenStudio, seed: int) -> None:
     studio = open_studio(f"transport/{FILE}")

@@ -128,11 +128,14 @@ def the_inspector_has_the_same_field_with_what_fits_and_the_name_of_lll(studio: 
     expect(vertex(studio, "Pen colour")).to_contain_text("orange")
     keys.press("ArrowRight")
     studio.expect_code("Pen.Colour(5)")
-    # The hover over a number of the text says what it means and where it stands.
+    the_hover_over_a_number_of_the_text_says_what_it_means(studio)
+    the_inspector_is_as_tall_as_its_content_and_begins_at_its_top(studio)
+
+
+def the_hover_over_a_number_of_the_text_says_what_it_means(studio: Studio) -> None:
     studio.at("code").locator(".lll-number", has_text="25").first.hover()
     expect(studio.page.locator(".code-help")).to_contain_text("25 means 90°")
     expect(studio.page.locator(".code-help")).to_contain_text("angle of “Turn by”")
-    the_inspector_is_as_tall_as_its_content_and_begins_at_its_top(studio)
 
 
 HEIGHTS = """() => ['inspector', 'code', 'arena'].map(name => document.querySelector('.side-' + name))
@@ -241,6 +244,10 @@ def an_empty_body_shows_where_to_drop_and_what_follows_a_new_loop_goes_inside(st
     expect(place).to_have_count(0)
 
 
+@pytest.mark.thorough(
+    "web/src/features/inspector/values.test.tsx: in place and in the inspector; features/canvas/find.test.tsx: "
+    "chips in a run; editing.test.tsx: empty bodies; test_keys_are_kept_for_a_field…: what needs a layout"
+)
 def test_a_value_is_typed_where_it_stands_and_in_the_inspector_and_chips_show_what_sensors_say(
     open_studio: OpenStudio,
 ) -> None:
@@ -255,3 +262,15 @@ def test_a_value_is_typed_where_it_stands_and_in_the_inspector_and_chips_show_wh
     the_inspector_has_the_same_field_with_what_fits_and_the_name_of_lll(studio)
     studio.page.set_viewport_size({"width": WIDTH, "height": HEIGHT})
     chips_show_what_sensors_say_while_a_run_exists_and_can_be_switched(studio)
+
+
+def test_keys_are_kept_for_a_field_and_the_inspector_is_as_tall_as_its_content(open_studio: OpenStudio) -> None:
+    studio = open_studio(BLINK)
+    written(studio, PROGRAM)
+    expect(vertex(studio, "Turn by")).to_be_visible()
+    what_is_typed_before_the_field_is_there_is_typed_into_it(studio)
+    studio.page.keyboard.press("Control+z")
+    vertex(studio, "Turn by").click()
+    expect(studio.at("inspector").get_by_role("slider", name="angle")).to_be_attached()
+    the_hover_over_a_number_of_the_text_says_what_it_means(studio)
+    the_inspector_is_as_tall_as_its_content_and_begins_at_its_top(studio)

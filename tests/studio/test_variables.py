@@ -136,7 +136,9 @@ def a_variable_of_the_robots_own_file_says_where_it_is(studio: Studio) -> None:
     forgive_refusals(studio)
 
 
-@pytest.mark.thorough("tests/server/test_parts.py: names are of any script; test_a_variable_is_made_used_renamed…")
+@pytest.mark.thorough(
+    "tests/server/test_parts.py: names are of any script; web/src/features/palette/variables.test.tsx"
+)
 def test_a_variable_is_made_while_adding_and_in_urdu(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)
     choose(studio, "ur")
@@ -175,6 +177,10 @@ def a_finger_that_rests_opens_the_menu(studio: Studio) -> None:
     expect(studio.at("variable-menu")).to_be_hidden()
 
 
+@pytest.mark.thorough(
+    "web/src/features/palette/variables.test.tsx: unused, refused, by a finger, of the robot's file; "
+    "server/test_parts.py: which are refused and with what words"
+)
 def test_an_unused_one_goes_a_wrong_one_is_refused_and_one_of_the_robots_file_has_a_menu(
     open_studio: OpenStudio,
 ) -> None:
@@ -185,6 +191,10 @@ def test_an_unused_one_goes_a_wrong_one_is_refused_and_one_of_the_robots_file_ha
     a_variable_of_the_robots_own_file_says_where_it_is(studio)
 
 
+@pytest.mark.thorough(
+    "web/src/features/palette/variables.test.tsx: made, used, renamed, changed, removed, undone; "
+    "session/typing.test.ts: a text follows a new name; with a server: test_palette.py"
+)
 def test_a_variable_is_made_used_renamed_changed_undone_and_removed_after_a_question(open_studio: OpenStudio) -> None:
     studio = open_studio(SQUARE)
     a_variable_is_made_used_renamed_everywhere_changed_and_undone(studio)

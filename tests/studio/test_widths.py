@@ -99,12 +99,18 @@ def amiss(studio: Studio, turn: int, height: int = 900) -> list[str]:
 
 # Words of the other languages are longer than English ones.
 @pytest.mark.parametrize("look", cases([("contrast", "ur")], [("dark", "fr"), ("light", "en")]), ids=str)
-def test_nothing_overlaps_or_is_cut_at_any_width(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
+def test_nothing_overlaps_or_is_cut_at_any_width_and_what_has_no_room_is_in_a_menu(
+    open_studio: OpenStudio, look: tuple[str, ...]
+) -> None:
     studio = open_studio(SQUARE)
+    a_menu_without_room_is_in_the_last_one(studio)
+    studio.page.set_viewport_size({"width": 1600, "height": 1000})
     choose(studio, *look)
     assert "\n".join(amiss(studio, 0)) == "", "a usual mission"
     studio.page.set_viewport_size({"width": 1600, "height": 1000})
-    mission(studio, 12)
+    mission(studio, 40)
+    every_program_is_reached(studio, 320)
+    studio.page.set_viewport_size({"width": 1600, "height": 1000})
     studio.drop("Wait", "arc-start.next")
     assert "\n".join(amiss(studio, 1)) == "", "long names"
     studio.page.set_viewport_size({"width": 1600, "height": 1000})
@@ -112,6 +118,8 @@ def test_nothing_overlaps_or_is_cut_at_any_width(open_studio: OpenStudio, look: 
     studio.at("pause-button").click()
     expect(studio.at("status")).to_have_attribute("data-status", "paused")
     assert "\n".join(amiss(studio, 2, 450)) == "", "paused, in a low window"
+    studio.at("stop-button").click()
+    a_tool_without_room_is_behind_the_three_dots(studio)
 
 
 IN_VIEW = """(tab) => {
@@ -120,6 +128,31 @@ IN_VIEW = """(tab) => {
 }"""
 
 
+def every_program_is_reached(studio: Studio, width: int) -> None:
+    studio.page.set_viewport_size({"width": width, "height": 900})
+    for tab in ("tab-of-team", "tab-of-world", "more-programs"):
+        expect(studio.at(tab)).to_be_in_viewport(ratio=1)
+    studio.at("more-programs").click()
+    expect(studio.at("program-find")).to_be_focused()
+    box = place_of(studio.at("program-list"))
+    assert box["x"] >= 0
+    assert box["x"] + box["width"] <= width
+    find_nothing(studio, "the list of programs", within=".program-list")
+    studio.at("program-option-a-program-with-a-long-name-40").click()
+    last = studio.at("tab-a-program-with-a-long-name-40")
+    expect(last).to_have_attribute("aria-selected", "true")
+    assert last.evaluate(IN_VIEW)
+    expect(studio.at("more-programs")).to_be_focused()
+    last.focus()
+    studio.page.keyboard.press("Home")
+    first = studio.at("tab-a-program-with-a-long-name-1")
+    expect(first).to_be_focused()
+    assert first.evaluate(IN_VIEW)
+
+
+@pytest.mark.thorough(
+    "web/src/app/ProgramList.test.tsx: by letters, arrows and Enter; at 320 px: every_program_is_reached"
+)
 @pytest.mark.parametrize("look", cases([("contrast", "ur")], [("light", "en")]), ids=str)
 def test_every_program_is_reached_where_its_tab_has_no_room(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio(SQUARE)
@@ -205,9 +238,3 @@ def a_tool_without_room_is_behind_the_three_dots(studio: Studio) -> None:
     studio.page.keyboard.press("Enter")
     studio.page.keyboard.press("Escape")
     expect(studio.at("more-tools")).to_be_focused()
-
-
-def test_a_menu_without_room_is_in_the_last_one_and_a_tool_behind_the_three_dots(open_studio: OpenStudio) -> None:
-    studio = open_studio(SQUARE)
-    a_menu_without_room_is_in_the_last_one(studio)
-    a_tool_without_room_is_behind_the_three_dots(studio)

@@ -67,6 +67,8 @@ def place_of_robot(studio: Studio) -> int:
 
 def a_wall_is_drawn_and_the_robot_stops_at_it(studio: Studio) -> None:
     edit(studio)
+    assert place_of(studio.at("world"))["width"] > 1590, "the world has the whole page"
+    find_nothing(studio, "the world", within="[data-testid=world]")
     studio.at("world-tool-wall").click()
     drag(studio, spot(studio, 3003, 902, ROOM), spot(studio, 2997, 1601, ROOM))
     assert [number(studio, name) for name in ("x1", "y1", "x2", "y2")] == [3000, 900, 3000, 1600]
@@ -110,6 +112,10 @@ def a_road_that_cannot_be_drawn_is_told_at_the_road(studio: Studio) -> None:
     expect(studio.at("problems")).to_contain_text("0")
 
 
+@pytest.mark.thorough(
+    "web/src/features/world/world.test.tsx: what is wrong is told at its thing; session/problem-walk.test.ts: F8 "
+    "leads there; server/test_own_world.py: why a road cannot be drawn"
+)
 def test_a_road_that_cannot_be_drawn_is_told_at_the_road(open_studio: OpenStudio) -> None:
     a_road_that_cannot_be_drawn_is_told_at_the_road(open_studio(TRANSPORT))
 
@@ -119,7 +125,7 @@ def test_a_dock_is_moved_along_its_road_and_the_boxes_still_arrive(open_studio: 
     a_dock_is_moved_along_its_road_and_the_boxes_still_arrive(open_studio(TRANSPORT))
 
 
-@pytest.mark.thorough("web/src/model/world/world.test.ts; test_a_road_that_cannot_be_drawn_is_told_at_the_road")
+@pytest.mark.thorough("web/src/model/world/world.test.ts; web/src/features/world/world.test.tsx: told at its thing")
 def test_a_road_with_a_hole_in_a_file_is_told_at_the_road_and_mended(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
     edit(studio)
@@ -159,7 +165,7 @@ def test_the_journal_keeps_the_world(open_studio: OpenStudio) -> None:
 
 
 @pytest.mark.thorough(
-    "web/src/model/everything.test.ts and web/src/model/world/world.test.ts; by keys: test_the_keyboard_is_enough"
+    "web/src/model/everything.test.ts and web/src/model/world/world.test.ts; by keys: features/world/world.test.tsx"
 )
 def test_everything_is_undone_to_the_bytes_of_the_file(open_studio: OpenStudio) -> None:
     studio = open_studio(TRANSPORT)
@@ -198,6 +204,7 @@ def test_everything_is_undone_to_the_bytes_of_the_file(open_studio: OpenStudio) 
     assert save(studio) == changed
 
 
+@pytest.mark.thorough("web/src/features/world/world.test.tsx: by the keyboard, and by its numbers")
 def test_the_keyboard_is_enough(open_studio: OpenStudio) -> None:
     studio = open_studio(BRAKE)
     keys = studio.page.keyboard
@@ -297,7 +304,7 @@ def test_a_robot_is_dragged_a_wall_is_drawn_and_met_and_the_world_becomes_a_file
     the_world_becomes_a_file_and_the_mission_uses_it(studio)
 
 
-@pytest.mark.thorough("a_road_that_cannot_be_drawn_is_told_at_the_road looks at the world with axe")
+@pytest.mark.thorough("a_wall_is_drawn_and_the_robot_stops_at_it looks at the world with axe; test_clipping.py too")
 @pytest.mark.parametrize("look", LOOKS, ids=str)
 def test_axe_finds_nothing_in_the_world(open_studio: OpenStudio, look: tuple[str, ...]) -> None:
     studio = open_studio(TRANSPORT)

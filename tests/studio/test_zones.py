@@ -19,6 +19,10 @@ pytestmark = pytest.mark.browser
 OpenStudio = Callable[..., Studio]
 
 
+@pytest.mark.thorough(
+    "web/src/features/world/world.test.tsx: zones, boxes and templates; the whole page, drawn by the mouse and gone"
+    " in a run: test_world.py"
+)
 def test_the_world_fills_the_page_takes_zones_and_boxes_and_gives_way_to_a_run(open_studio: OpenStudio) -> None:
     studio = open_studio("brake/brake.krt")
     page = studio.page

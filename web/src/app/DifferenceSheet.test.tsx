@@ -8,6 +8,7 @@ import { useStudio } from "../model/studio";
 import { CARRIER, fileOf, missionOf } from "../model/testing/missions";
 import { useDocument } from "../session/document";
 import { revisionMerged } from "../session/merges";
+import { barriersIn } from "../testing/barriers";
 import { type Hands, handsOn } from "../testing/hands";
 import { mount, type Mounted, settle } from "../testing/hooks";
 import { DifferenceSheet } from "./DifferenceSheet";
@@ -41,6 +42,7 @@ function answer(taken: boolean): Merged {
 
 it("is told in words; what both changed is chosen, and the merge is one step that undo takes back", async () => {
   expect(hands.find("differences").textContent).toContain("44 → 5");
+  expect(await barriersIn(page.place)).toEqual([]);
   const merge = vi.spyOn(journalApi, "merge").mockResolvedValueOnce(answer(false)).mockResolvedValueOnce(answer(true));
   await settle(() => hands.find("merge").click());
   expect(merge.mock.calls[0]).toEqual(["a.krt", READ, MINE, []]);

@@ -5,7 +5,7 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 
 import { moreWords } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { fileOf, growProgram, missionOf } from "../../model/testing/missions";
+import { CARRIER, fileOf, growProgram, missionOf } from "../../model/testing/missions";
 import type { Fix, Problem } from "../../model/types";
 import { standAt, walkProblems } from "../../session/problem-walk";
 import { ProblemList } from "./ProblemList";
@@ -67,4 +67,22 @@ test("a problem without one right answer offers none", async () => {
 test("where nothing is wrong it says what to do", async () => {
   await list();
   expect(place.textContent).toContain("Press Run to see the program at work.");
+});
+
+test("a problem with one right answer is mended by its button, and undo brings it back", async () => {
+  const mission = missionOf({
+    ...CARRIER,
+    vertices: CARRIER.vertices.map((one) => (one.id === "v20" ? { ...one, element: "Lamp.LihgtOff" } : one)),
+  });
+  const wrong = problem("no such method", { kind: "element", name: "Lamp.LightOff", text: "" });
+  await list({ ...wrong, program: "carrier", vertices: ["v20"] });
+  act(() => {
+    useStudio.getState().openMission(fileOf(mission));
+    useStudio.getState().setReport({ programs: [], problems: [{ ...wrong, program: "carrier", vertices: ["v20"] }] });
+  });
+  const element = () => useStudio.getState().mission.programs[0]?.vertices.find((one) => one.id === "v20")?.element;
+  act(() => place.querySelector<HTMLElement>('[data-testid="fix-1"]')?.click());
+  expect(element()).toBe("Lamp.LightOff");
+  act(() => useStudio.getState().undo());
+  expect(element()).toBe("Lamp.LihgtOff");
 });

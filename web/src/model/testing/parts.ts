@@ -177,8 +177,8 @@ function object(
 }
 
 const button = [
-  method("IsPressed", "test", "", { phrase: { "": "{object} pressed" } }),
-  method("IsReleased", "test", "", { phrase: { "": "{object} released" } }),
+  method("IsPressed", "test", "", { phrase: { "": "{object} pressed" }, test: "equal", to: 1 }),
+  method("IsReleased", "test", "", { phrase: { "": "{object} released" }, test: "equal", to: 0 }),
 ];
 
 function number(name: string, max: number): Parameter {
@@ -186,9 +186,21 @@ function number(name: string, max: number): Parameter {
 }
 
 const comparisons = (max: number) => [
-  method("EqualTo", "test", "", { parameters: [number("value", max)], phrase: { "": "{object} = {value}" } }),
-  method("LessThan", "test", "", { parameters: [number("value", max)], phrase: { "": "{object} < {value}" } }),
-  method("GreaterThan", "test", "", { parameters: [number("value", max)], phrase: { "": "{object} > {value}" } }),
+  method("EqualTo", "test", "", {
+    parameters: [number("value", max)],
+    phrase: { "": "{object} = {value}" },
+    test: "equal",
+  }),
+  method("LessThan", "test", "", {
+    parameters: [number("value", max)],
+    phrase: { "": "{object} < {value}" },
+    test: "less",
+  }),
+  method("GreaterThan", "test", "", {
+    parameters: [number("value", max)],
+    phrase: { "": "{object} > {value}" },
+    test: "greater",
+  }),
   method("Value", "value", "", { phrase: { "": "{object}" } }),
 ];
 
@@ -243,8 +255,8 @@ export const PARTS: Catalogue = {
                 { name: "value", kind: "boolean", min: 0, max: 1, default: 1, unit: "", label: {}, help: {} },
               ],
             }),
-            method("IsTrue", "test", "", { phrase: { "": "{object} is true" } }),
-            method("IsFalse", "test", "", { phrase: { "": "{object} is false" } }),
+            method("IsTrue", "test", "", { phrase: { "": "{object} is true" }, test: "equal", to: 1 }),
+            method("IsFalse", "test", "", { phrase: { "": "{object} is false" }, test: "equal", to: 0 }),
           ],
           { type: "boolean", initial: 1 },
         ),

@@ -65,6 +65,6 @@ export function addedWork(): string | null {
 }
 
 export function Works() {
-  const works = useStudio((studio) => worksOf(studio.mission));
+  const works = worksOf(useStudio((studio) => studio.mission));
   return works.map((work, at) => <WorkCard key={at} work={work} at={at} />);
 }
