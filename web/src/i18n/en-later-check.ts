@@ -123,7 +123,7 @@ export const CHECK_EN = {
   "walk.title": "Step by hand",
   "walk.close": "Close the steps",
   "walk.from-here": "Step by hand from before it was decided",
-  "walk.timing": "Robots",
+  "walk.timing": "Timing",
   "walk.state": "State {number}",
   "walk.back": "Back",
   "walk.on": "Go on",

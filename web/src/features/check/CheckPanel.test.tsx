@@ -17,7 +17,7 @@ import { useCheck } from "./verifying";
 const CONFIRMED = { seed: 3, tick: 100, seconds: 2, failures: [] };
 
 function answer(name: string, broken: boolean): CheckedProperty {
-  const rest = { left_out: 0, searched: true, scenes: [], guilty: [], why: null, repeats_from: -1 };
+  const rest = { left_out: 0, searched: true, scenes: [], guilty: [], places: [], why: null, repeats_from: -1 };
   const events = broken ? [{ step: 1, text: "`a` reaches into the empty storehouse." }] : [];
   const found = { answer: broken ? ("broken" as const) : ("holds" as const), steps: events.length, events };
   return { name, sentence: name, ...rest, ...found, confirmed: broken ? CONFIRMED : null };
