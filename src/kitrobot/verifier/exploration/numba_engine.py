@@ -10,6 +10,7 @@ from kitrobot.sim.jit.cache import CALLED, Compilation, folder_of, functions_cal
 from kitrobot.sim.jit.table_pointer import TablePointer
 from kitrobot.verifier.exploration import engines
 from kitrobot.verifier.exploration.fairness import MASKS, ComponentSearch
+from kitrobot.verifier.tables.tables import StateFilter, StepBatch
 
 _INLINED = frozenset({"look_up_change", "decode", "emit_step", "find", "key_hash", "sense_key", "touch", "with_field"})
 """Short functions that run many times for each state. Inlining longer ones too makes exploration no faster, and
@@ -59,8 +60,14 @@ def samples() -> dict[str, tuple[Any, ...]]:
     t = engines.ArrayTables(*tables).pointer
     g = engines.ArrayGraph(*(kinds.get(name, numbers) for name in engines.ArrayGraph._fields)).pointer
     s = TablePointer(ComponentSearch(*rows))
+    b = TablePointer(StepBatch(words, words, words, words, numbers, numbers, marks, words))
+    f = TablePointer(StateFilter(marks, marks, marks, words, words))
     return {
-        "advance": (t, g, 1),
+        "explore_states": (t, g, b, 1),
+        "insert_steps": (g, b, 1, 1, 1, 1, True),
+        "number_steps": (t, g, b, 1, 1),
+        "filter_steps": (f, b, 1, 1, 1, 1),
+        "queue_steps": (t, g, b, f, 1, 1),
         "expand": (t, 1, 1),
         "rehash": (g, 1, True),
         "repack": (g, 1, 1, words, words, True, True),

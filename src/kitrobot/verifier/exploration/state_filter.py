@@ -1,0 +1,134 @@
+"""A Bloom filter instead of the states: what an approximate search keeps, and the odds that it takes a new state for one
+that it has seen.
+
+A state sets `BITS` bits in one block of 512, so one read of memory decides whether it was seen (Putze, Sanders and
+Singler, *Cache-, Hash- and Space-Efficient Bloom Filters*, 2007). Besides, two bytes for each state say from which one
+it was reached first: states are numbered as they are reached, so those that a state reached first follow each other, and
+their number is enough (`births`); `picks` says which of its steps it was. So the way to any state can be found again.
+
+`odds_of_omission` is plain Python; the rest of this module uses only the subset that Numba compiles.
+"""
+
+from __future__ import annotations
+
+from kitrobot.verifier.tables.columns import (
+    ALL_BITS,
+    AT,
+    BASE,
+    BATCH_FIRST,
+    CALMS,
+    COUNT,
+    CUT,
+    GOES_ON,
+    MOST,
+    MULTIPLIER,
+    OTHER_MULTIPLIER,
+    WORDS,
+)
+from kitrobot.verifier.tables.tables import Graph, Row, StateFilter, StepBatch, Tables
+
+BITS = 6
+"""Bits of a state."""
+BLOCK = 64
+"""Bytes of a block."""
+SEEN, NEW = 0, -1
+"""Targets of steps: to a state that was seen, or to a new one."""
+_WINDOW = 64
+_MOST_BIRTHS = 255
+_SAMPLE = 4096
+
+
+def layout_free_hash(sums: Row, x: int, y: int, two: bool) -> int:
+    """A hash of a key that stays the same when fields widen: of each bit of each field a random word, summed without
+    carry, then mixed.
+    """
+    h = 0
+    for k in range(8):
+        h ^= sums[256 * k + (x >> 8 * k & 255)]
+    if two:
+        for k in range(8):
+            h ^= sums[2048 + 256 * k + (y >> 8 * k & 255)]
+    return ((h ^ h >> 29) * MULTIPLIER) & ALL_BITS
+
+
+def block_of(h: int, blocks: int) -> int:
+    """The block of a hash."""
+    return (h >> 31) * blocks >> 32
+
+
+def filter_steps(f: StateFilter, b: StepBatch, first: int, end: int, low: int, high: int) -> int:
+    """Looks up the states after these steps whose blocks are from `low` to before `high`, and adds new ones.
+
+    What is returned has no meaning: it keeps compilers from leaving out reads.
+    """
+    bits, blocks = f.bits, len(f.bits) // BLOCK
+    mixed = 0
+    for at in range(first, end, _WINDOW):
+        until = min(at + _WINDOW, end)
+        # As in `breadth_first_search.touch`.
+        for n in range(at, until):
+            block = block_of(b.places[n], blocks)
+            if low <= block and block < high:
+                mixed ^= bits[block * BLOCK]
+        for n in range(at, until):
+            block = block_of(b.places[n], blocks)
+            if block < low or block >= high:
+                continue
+            h = ((b.places[n] ^ b.places[n] >> 32) * OTHER_MULTIPLIER & ALL_BITS) >> 9
+            target = SEEN
+            for _ in range(BITS):
+                spot, bit = block * BLOCK + (h >> 3 & BLOCK - 1), 1 << (h & 7)
+                if bits[spot] & bit == 0:
+                    bits[spot] |= bit
+                    target = NEW
+                h >>= 9
+            b.targets[n] = target
+    return mixed
+
+
+def queue_steps(t: Tables, g: Graph, b: StepBatch, f: StateFilter, until: int, first: int) -> int:
+    """Numbers and queues the new states after the steps out of the states up to this one, or as many as there may be;
+    the first of these steps is `first`. Why it ended, or GOES_ON.
+    """
+    regs, two, base, begin = t.regs, t.regs[WORDS] == 2, t.regs[BASE], t.regs[BATCH_FIRST]
+    at, count, n, code = regs[AT], regs[COUNT], first, GOES_ON
+    while at < until and code == GOES_ON:
+        end, mine, born = b.ends[at - begin], n, count
+        while n < end:
+            if b.targets[n] == NEW:
+                if count >= regs[MOST]:
+                    code = CUT
+                    break
+                g.x[count - base] = b.x[n]
+                if two:
+                    g.y[count - base] = b.y[n]
+                f.picks[count] = n - mine & 255
+                count += 1
+            n += 1
+        born = count - born
+        f.births[at] = min(born, _MOST_BIRTHS)
+        if born >= _MOST_BIRTHS:
+            f.wide[f.counts[0]], f.wide[f.counts[0] + 1] = at, born
+            f.counts[0] += 2
+        if b.calm[at - begin]:
+            g.calm[regs[CALMS]] = at
+            regs[CALMS] += 1
+        at += 1
+        regs[AT], regs[COUNT] = at, count
+    return code
+
+
+def odds_of_omission(bits: Row) -> float:
+    """The odds that the next state which was not reached yet is taken for one that was: the mean over blocks of
+    (share of bits that are set) ** BITS.
+
+    Its bits and its block are those of a random function, so this is exact for what is in the filter now (Bloom 1970;
+    for the states of a search: Holzmann, *An Analysis of Bitstate Hashing*, 1998). For every earlier state it was
+    smaller. Of a large filter 4096 blocks are looked at.
+    """
+    blocks = len(bits) // BLOCK
+    sample = range(0, blocks, max(1, blocks // _SAMPLE))
+    shares = (
+        int.from_bytes(bytes(bits[BLOCK * n : BLOCK * (n + 1)]), "little").bit_count() / (8 * BLOCK) for n in sample
+    )
+    return sum(share**BITS for share in shares) / len(sample)
