@@ -16,7 +16,7 @@ from kitrobot.verifier.exploration.state_filter import BLOCK
 from kitrobot.verifier.tables import columns as v
 from kitrobot.verifier.tables.dynamic_arrays import grow_table
 from kitrobot.verifier.tables.events import ModelTooLargeError
-from kitrobot.verifier.tables.tables import Graph, StateFilter, StepBatch, Tables
+from kitrobot.verifier.tables.tables import StateFilter, StepBatch, Tables
 
 if TYPE_CHECKING:
     from kitrobot.verifier.exploration.exploration import StateSpace
@@ -104,12 +104,16 @@ class BatchSearch:
     Args:
         space: what is explored; its engine does not change any more.
         cores: how many workers there are.
-        kept: the filter of an approximate search, and the sums of its hashes; None for an exact one.
+        kept: the filter of an approximate search; None for an exact one.
+        sums: makes `StepBatch.sums` for the present layout; for an approximate search only.
     """
 
-    def __init__(self, space: StateSpace, cores: int, kept: tuple[StateFilter, Any] | None = None) -> None:
+    def __init__(
+        self, space: StateSpace, cores: int, kept: StateFilter | None = None, sums: Callable[[], Any] | None = None
+    ) -> None:
         self._space = space
-        self._kept = kept
+        self.kept = kept
+        self._sums = sums
         self._cores = cores
         self._states = cores * _STATES
         self._room = _STATES * _STEPS_EACH
@@ -136,7 +140,7 @@ class BatchSearch:
 
     def _make_room(self) -> None:
         engine, size = self._space.engine, self._cores * self._room
-        sums = engine.words(0) if self._kept is None else self._kept[1]
+        sums = engine.words(0) if self._sums is None else self._sums()
         self._batch = StepBatch(
             *(engine.words(size) for _ in range(4)),
             *(engine.zeros(size), engine.zeros(self._states), engine.bytes(self._states), sums),
@@ -168,12 +172,12 @@ class BatchSearch:
                 self._end = -1
                 return v.GOES_ON
         except ModelTooLargeError:
-            if self._kept is not None:
+            if self.kept is not None:
                 raise
             self._is_refused, self._end = True, -1
             return v.GOES_ON
         regs = space.model.t.regs
-        if self._kept is None and int(regs[v.COUNT]) + self.coming > int(regs[v.MOST]):
+        if self.kept is None and int(regs[v.COUNT]) + self.coming > int(regs[v.MOST]):
             self._is_refused, self._end = True, -1
             return v.GOES_ON
         code = self._room_code()
@@ -193,6 +197,8 @@ class BatchSearch:
             self._layout = self._space.model.layout
             for worker in self._workers:
                 worker.forget_after()
+            if self._sums is not None:
+                self._batch = self._batch._replace(sums=self._sums())
         self._end = min(at + self._states, int(regs[v.LEVEL_END]))
         count = self._end - at
         regs[v.BATCH_FIRST] = at
@@ -238,11 +244,11 @@ class BatchSearch:
         count, states = int(regs[v.COUNT]), self._end - int(regs[v.AT])
         if int(regs[v.CALMS]) + states > len(graph.calm):
             return v.ROOM_CALM
-        if self._kept is not None:
-            kept = self._kept[0]
-            births = min(len(kept.births) - self._end, len(kept.picks) - count - coming)
-            is_full = count - int(regs[v.BASE]) + coming > len(graph.x) or births < 0
-            return v.ROOM_STATES if is_full or int(kept.counts[0]) + 2 * states > len(kept.wide) else v.GOES_ON
+        if self.kept is not None:
+            kept = self.kept
+            room = min(len(kept.births) - self._end, len(kept.picks) - count - coming)
+            room = min(room, len(graph.x) - (count - int(regs[v.BASE])) - coming)
+            return v.ROOM_STATES if min(room, len(kept.wide) - int(kept.counts[0]) - 2 * states) < 0 else v.GOES_ON
         if count + coming > len(graph.x) or (count + coming) * 10 > len(graph.slots) * 7:
             return v.ROOM_STATES
         is_full = int(regs[v.EDGES]) + coming > len(graph.targets) or self._end + 1 > len(graph.first_edge)
@@ -256,20 +262,20 @@ class BatchSearch:
 
         def insert(n: int) -> None:
             for first, end in regions:
-                if self._kept is None:
+                if self.kept is None:
                     low, high = _share(len(graph.slots), n, self._cores)
                     engine.insert_steps(graph, batch, first, end, low, high, two)
                 else:
-                    low, high = _share(len(self._kept[0].bits) // BLOCK, n, self._cores)
-                    engine.filter_steps(self._kept[0], batch, first, end, low, high)
+                    low, high = _share(len(self.kept.bits) // BLOCK, n, self._cores)
+                    engine.filter_steps(self.kept, batch, first, end, low, high)
 
         list(self._each(insert, list(range(self._cores))))
         for worker in self._workers:
             self._note_kinds(worker.tables.regs)
-            if self._kept is None:
+            if self.kept is None:
                 code = engine.number_steps(space.model.t, graph, batch, worker.end, worker.begin)
             else:
-                code = engine.queue_steps(space.model.t, graph, batch, self._kept[0], worker.end, worker.begin)
+                code = engine.queue_steps(space.model.t, graph, batch, self.kept, worker.end, worker.begin)
             if code != v.GOES_ON:
                 return int(code)
         return v.GOES_ON
@@ -299,10 +305,3 @@ def empty_batch(engine: Engine) -> StepBatch:
     """The batch of a search without batches."""
     words = engine.words(0)
     return StepBatch(words, words, words, words, engine.zeros(0), engine.zeros(0), engine.bytes(0), words)
-
-
-def free_states(graph: Graph, done: int, count: int) -> None:
-    """Moves the keys of states to the front, over the first `done`, which are gone."""
-    graph.x[: count - done] = graph.x[done:count]
-    if len(graph.y):
-        graph.y[: count - done] = graph.y[done:count]

@@ -233,7 +233,8 @@ class StateSpace:
             self.graph = self.graph._replace(y=grow_table(self.graph.y, len(self.graph.x)))
         two = model.layout.words == 2
         rows = self.engine.row(before.rows()), self.engine.row(model.layout.rows())
-        self.engine.repack(self.graph, len(self), len(before.word), *rows, before.words == 2, two)
+        kept = len(self) - int(model.t.regs[v.BASE])
+        self.engine.repack(self.graph, kept, len(before.word), *rows, before.words == 2, two)
         model.t.regs[v.WORDS] = model.layout.words
         self._rebuild_slots(len(self.graph.slots))
 
@@ -253,10 +254,10 @@ def explore(
     began = budget.clock()
     space = StateSpace(model, fresh_graph(), engines.PLAIN, interruption=budget.interruption(began), reserve=reserve)
     with suppress(ModelTooLargeError):
-        begin(space, MOST_STATES if budget.states is None else min(budget.states, MOST_STATES), keeps_steps)
+        begin_exploration(space, MOST_STATES if budget.states is None else min(budget.states, MOST_STATES), keeps_steps)
         if engine is not None:
             space.use(engine)
-        space.cut = go_on(space, budget, engine is None)
+        space.cut = continue_exploration(space, budget, engine is None)
     if space.batches is not None:
         space.batches.close()
     space.seconds = budget.clock() - began
@@ -288,7 +289,7 @@ def fresh_graph() -> Graph:
     )
 
 
-def begin(space: StateSpace, most: int, keeps_steps: bool) -> None:
+def begin_exploration(space: StateSpace, most: int, keeps_steps: bool) -> None:
     """Adds the first state to the graph."""
     model = space.model
     first = model.begin()
@@ -305,7 +306,7 @@ def begin(space: StateSpace, most: int, keeps_steps: bool) -> None:
     space.engine.rehash(space.graph, 1, model.layout.words == 2)
 
 
-def go_on(space: StateSpace, budget: Budget, may_change: bool) -> CutReason | None:
+def continue_exploration(space: StateSpace, budget: Budget, may_change: bool) -> CutReason | None:
     """Explores until there are no more states, or a limit is reached; which one."""
     batch, begun = 256, budget.clock()
     reported = begun

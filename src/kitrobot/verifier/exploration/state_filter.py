@@ -34,7 +34,7 @@ BLOCK = 64
 SEEN, NEW = 0, -1
 """Targets of steps: to a state that was seen, or to a new one."""
 _WINDOW = 64
-_MOST_BIRTHS = 255
+MOST_BIRTHS = 255
 _SAMPLE = 4096
 
 
@@ -74,16 +74,20 @@ def filter_steps(f: StateFilter, b: StepBatch, first: int, end: int, low: int, h
             block = block_of(b.places[n], blocks)
             if block < low or block >= high:
                 continue
-            h = ((b.places[n] ^ b.places[n] >> 32) * OTHER_MULTIPLIER & ALL_BITS) >> 9
-            target = SEEN
-            for _ in range(BITS):
-                spot, bit = block * BLOCK + (h >> 3 & BLOCK - 1), 1 << (h & 7)
-                if bits[spot] & bit == 0:
-                    bits[spot] |= bit
-                    target = NEW
-                h >>= 9
-            b.targets[n] = target
+            b.targets[n] = insert_hash(bits, block, b.places[n])
     return mixed
+
+
+def insert_hash(bits: Row, block: int, h: int) -> int:
+    """Sets the bits of a hash in its block; `SEEN` if all of them were set, else `NEW`."""
+    left, target = ((h ^ h >> 32) * OTHER_MULTIPLIER & ALL_BITS) >> 9, SEEN
+    for _ in range(BITS):
+        spot, bit = block * BLOCK + (left >> 3 & BLOCK - 1), 1 << (left & 7)
+        if bits[spot] & bit == 0:
+            bits[spot] |= bit
+            target = NEW
+        left >>= 9
+    return target
 
 
 def queue_steps(t: Tables, g: Graph, b: StepBatch, f: StateFilter, until: int, first: int) -> int:
@@ -106,8 +110,8 @@ def queue_steps(t: Tables, g: Graph, b: StepBatch, f: StateFilter, until: int, f
                 count += 1
             n += 1
         born = count - born
-        f.births[at] = min(born, _MOST_BIRTHS)
-        if born >= _MOST_BIRTHS:
+        f.births[at] = min(born, MOST_BIRTHS)
+        if born >= MOST_BIRTHS:
             f.wide[f.counts[0]], f.wide[f.counts[0] + 1] = at, born
             f.counts[0] += 2
         if b.calm[at - begin]:
