@@ -10,7 +10,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from kitrobot.verifier.exploration import engines
@@ -59,12 +59,14 @@ class ApproximateSpace(StateSpace):
         first: the first state.
         kept: the filter, and how each state was reached.
         judge: told that the states from one number on to before another are about to be forgotten.
+        step_judge: told of each gathered batch of steps; None where steps are not judged.
         judged: the number of the first state that was not judged yet.
     """
 
     first: State = ()
     kept: StateFilter = field(default_factory=lambda: _new_filter(BLOCK))
     judge: Callable[[ApproximateSpace, int, int], None] = lambda space, first, end: None
+    step_judge: Callable[[ApproximateSpace, BatchSearch], None] | None = None
     judged: int = 0
 
     @property
@@ -103,6 +105,11 @@ class ApproximateSpace(StateSpace):
             self.batches = BatchSearch(
                 self, cores if engine.is_parallel else 1, self.kept, lambda: engine.row(self._sums())
             )
+
+    def look_at_steps(self, batches: BatchSearch) -> None:
+        """Has the steps of a batch judged."""
+        if self.step_judge is not None:
+            self.step_judge(self, batches)
 
     def use(self, engine: Engine) -> None:
         """Switches to another engine, converting what is kept."""
@@ -211,6 +218,7 @@ def explore_approximately(
     model: Model,
     budget: Budget,
     judge: Callable[[ApproximateSpace, int, int], None],
+    step_judge: Callable[[ApproximateSpace, BatchSearch], None] | None = None,
     engine: Engine | None = None,
 ) -> ApproximateSpace:
     """Explores the states of a model without keeping them.
@@ -220,14 +228,17 @@ def explore_approximately(
         budget: the limits; what memory is left of the limit decides the size of the filter.
         judge: called with the space and the numbers of the first state, and of the one behind the last, of those that
             are about to be forgotten; `way` and `state` know each of them then. Every reached state is judged once.
+        step_judge: called with the space and each gathered batch of steps; None where steps need not be judged.
         engine: the engine; None for the plain one until the compiled one is available and worth it.
     """
     began = budget.clock()
+    budget = replace(budget, alone=0)
     space = ApproximateSpace(
         *(model, fresh_graph(), engines.PLAIN),
         interruption=budget.interruption(began),
         kept=_new_filter(_filter_bytes(budget)),
         judge=judge,
+        step_judge=step_judge,
     )
     with suppress(ModelTooLargeError):
         begin_exploration(space, MOST_STATES if budget.states is None else budget.states, False)

@@ -118,6 +118,7 @@ class BatchSearch:
         self._states = cores * _STATES
         self._room = _STATES * _STEPS_EACH
         self._layout = space.model.layout
+        self.batch: StepBatch
         self._end = -1
         self._is_refused = False
         self._pool = ThreadPoolExecutor(cores, "search") if cores > 1 and space.engine.is_parallel else None
@@ -131,17 +132,24 @@ class BatchSearch:
     @property
     def memory(self) -> int:
         """Bytes of the batch."""
-        return len(self._batch.x) * 36 + self._states * 5
+        return len(self.batch.x) * 36 + self._states * 5
 
     @property
     def coming(self) -> int:
         """How many states the batch may add at most; 0 before its steps are known."""
         return sum(int(worker.tables.regs[v.GATHERED]) - worker.begin for worker in self._workers) if self._end >= 0 else 0
 
+    def steps(self) -> Iterator[tuple[int, int, int, int]]:
+        """Of the gathered batch the first state of each worker, the one behind its last, and so of its steps."""
+        first = int(self._space.model.t.regs[v.AT])
+        for worker in self._workers:
+            yield first, worker.end, worker.begin, int(worker.tables.regs[v.GATHERED])
+            first = worker.end
+
     def _make_room(self) -> None:
         engine, size = self._space.engine, self._cores * self._room
         sums = engine.words(0) if self._sums is None else self._sums()
-        self._batch = StepBatch(
+        self.batch = StepBatch(
             *(engine.words(size) for _ in range(4)),
             *(engine.zeros(size), engine.zeros(self._states), engine.bytes(self._states), sums),
         )
@@ -164,7 +172,7 @@ class BatchSearch:
         space = self._space
         if self._is_refused:
             # One state after another: so it ends at the very state at which one core alone does.
-            return int(space.engine.explore_states(space.model.t, space.graph, self._batch, until))
+            return int(space.engine.explore_states(space.model.t, space.graph, self.batch, until))
         if self._end < 0:
             self._begin(until)
         try:
@@ -182,6 +190,7 @@ class BatchSearch:
             return v.GOES_ON
         code = self._room_code()
         if code == v.GOES_ON:
+            space.look_at_steps(self)
             code = self._commit()
             self._end = -1
         return code
@@ -198,7 +207,7 @@ class BatchSearch:
             for worker in self._workers:
                 worker.forget_after()
             if self._sums is not None:
-                self._batch = self._batch._replace(sums=self._sums())
+                self.batch = self.batch._replace(sums=self._sums())
         self._end = min(at + self._states, int(regs[v.LEVEL_END]))
         count = self._end - at
         regs[v.BATCH_FIRST] = at
@@ -213,7 +222,7 @@ class BatchSearch:
         while waiting:
 
             def gather(worker: Worker) -> int:
-                return int(space.engine.explore_states(worker.tables, space.graph, self._batch, worker.end))
+                return int(space.engine.explore_states(worker.tables, space.graph, self.batch, worker.end))
 
             codes = list(self._each(gather, waiting))
             waiting = [worker for worker, code in zip(waiting, codes, strict=True) if code != v.GOES_ON]
@@ -256,7 +265,7 @@ class BatchSearch:
 
     def _commit(self) -> int:
         """Inserts and numbers the states after the steps of the batch."""
-        space, regs, batch = self._space, self._space.model.t.regs, self._batch
+        space, regs, batch = self._space, self._space.model.t.regs, self.batch
         engine, graph, two = space.engine, space.graph, space.model.layout.words == 2
         regions = [(worker.begin, int(worker.tables.regs[v.GATHERED])) for worker in self._workers]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from array import array
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any
@@ -119,6 +119,9 @@ class StateSpace:
         if self.batches is None and cores > 1 and self.engine.is_parallel:
             self.batches = BatchSearch(self, cores)
 
+    def look_at_steps(self, batches: BatchSearch) -> None:
+        """Called with each gathered batch before its states are numbered; an exact search keeps steps if need be."""
+
     def use(self, engine: Engine) -> None:
         """Switches to another engine, converting tables and graph."""
         most = min(self.model.t.regs[v.MOST] or _ROOM_AT_FIRST, _ROOM_AT_FIRST)
@@ -132,6 +135,31 @@ class StateSpace:
             ModelTooLargeError: there is no room left.
         """
         self._expand(self.state(number), -1)
+
+    def install(self, states: Sequence[State], steps: Sequence[Sequence[tuple[int, int]]], calm: Sequence[int]) -> None:
+        """Takes over what was explored elsewhere: states, and of the first ones the steps, each with the number of the
+        state after it (one behind all where it is not among them) and its progress classes; and calm states.
+        """
+        model, count = self.model, len(states)
+        keys = [model.layout.key(state) for state in states]
+        ends, targets, taken = [0], [], []
+        for row in steps:
+            targets += [target for target, _ in row]
+            taken += [classes for _, classes in row]
+            ends.append(len(targets))
+        slots = 1 << (2 * count + 4).bit_length()
+        self.graph = fresh_graph()._replace(
+            x=array("q", [x for x, _ in keys] + [0]),
+            y=array("q", [y for _, y in keys] + [0]) if model.layout.words == 2 else array("q"),
+            slots=array("i", bytes(4 * slots)),
+            first_edge=array("i", [*ends, *[len(targets)] * (count + 2 - len(ends))]),
+            targets=array("i", targets or [0]),
+            taken=array("H", taken or [0]),
+            calm=array("i", calm or [0]),
+        )
+        regs = model.t.regs
+        regs[v.COUNT], regs[v.AT], regs[v.EDGES], regs[v.CALMS] = count, len(steps), len(targets), len(calm)
+        regs[v.WORDS], regs[v.BASE] = model.layout.words, 0
 
     def first_occurrences(self) -> dict[int, int]:
         """For each kind of event that occurred, the first state in which it did."""

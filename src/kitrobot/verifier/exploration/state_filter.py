@@ -115,7 +115,7 @@ def queue_steps(t: Tables, g: Graph, b: StepBatch, f: StateFilter, until: int, f
             f.wide[f.counts[0]], f.wide[f.counts[0] + 1] = at, born
             f.counts[0] += 2
         if b.calm[at - begin]:
-            g.calm[regs[CALMS]] = at
+            g.calm[regs[CALMS]] = at if b.calm[at - begin] == 1 else -at - 1
             regs[CALMS] += 1
         at += 1
         regs[AT], regs[COUNT] = at, count

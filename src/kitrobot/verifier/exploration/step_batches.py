@@ -72,7 +72,7 @@ def gather_steps(t: Tables, g: Graph, b: StepBatch, until: int) -> int:
         if came & ~regs[SEEN_KINDS]:
             note_kinds(t, at, came)
         b.ends[at - first] = count
-        b.calm[at - first] = 1 if is_dead or came & ~CALM == 0 else 0
+        b.calm[at - first] = 2 if is_dead else 1 if came & ~CALM == 0 else 0
         at += 1
         regs[AT], regs[GATHERED] = at, count
     return GOES_ON

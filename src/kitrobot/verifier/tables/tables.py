@@ -112,7 +112,7 @@ class StepBatch(NamedTuple):
         targets: the number of the state after each step, or what is known of it.
         taken: the progress classes of each step, by number.
         ends: of each state the end of its steps.
-        calm: whether a state is calm (see `Graph.calm`).
+        calm: whether a state is calm (see `Graph.calm`): 2 if no step leaves it.
         sums: for each byte of a key 256 words, whose sums without carry are hashes that no layout changes; empty where
             hashes are those of keys.
     """
