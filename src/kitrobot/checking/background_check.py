@@ -110,6 +110,8 @@ class CheckedColumn:
     cut: CutReason | None
     seconds: float
     properties: tuple[PropertyAnswer, ...]
+    is_approximate: bool = False
+    odds: float | None = None
 
 
 @dataclass(frozen=True)
@@ -242,6 +244,8 @@ def _plain(column: Column) -> CheckedColumn:
         judged.cut,
         judged.seconds,
         tuple(_answered(finding) for finding in column.findings),
+        judged.is_approximate,
+        judged.odds,
     )
 
 

@@ -19,6 +19,7 @@ from kitrobot.verifier.model.abstraction import Abstraction, abstract_run
 from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.model.table_builder import USUAL_KINDS
 from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.approximate_verdicts import check_approximately
 from kitrobot.verifier.properties.custom_properties import (
     build_custom_properties,
     build_custom_property,
@@ -30,6 +31,7 @@ from kitrobot.verifier.report.counterexample_text import free_readings
 from kitrobot.verifier.report.explanation import MOST_NODES
 from kitrobot.verifier.report.replay import ConfirmedRun, confirm, injected_faults
 from kitrobot.verifier.report.storyboard import Culprit, Scene, draw_scenes, find_culprits
+from kitrobot.workspace.child_processes import cores as usable_cores
 from kitrobot.workspace.mission_run import PreparedRun
 
 MOST_FAILURES = 3
@@ -74,6 +76,9 @@ class VerificationOptions:
         asked: properties that are asked besides those of the mission; if there are any, no others are checked unless
             `properties` names them.
         clock: what tells the time, in seconds.
+        cores: at most so many cores explore a large mission beside each other; None for all that there are.
+        approximate: whether states are forgotten, so that more can be looked at and nothing be said to hold (see
+            `verifier.exploration.approximate_search`).
     """
 
     properties: tuple[str, ...] = ()
@@ -89,6 +94,8 @@ class VerificationOptions:
     explains: bool = False
     asked: tuple[AskedProperty, ...] = ()
     clock: Callable[[], float] = time.monotonic
+    cores: int | None = None
+    approximate: bool = False
 
 
 @dataclass(frozen=True)
@@ -155,6 +162,8 @@ class Verification:
                     "depth": column.judged.depth,
                     "complete": column.judged.complete,
                     "cut": None if column.judged.cut is None else column.judged.cut.value,
+                    "approximate": column.judged.is_approximate,
+                    "missed_odds": column.judged.odds,
                     "properties": [_finding_json(finding, self.tick_ms) for finding in column.findings],
                     "timing_seconds": round(column.judged.seconds, 3),
                     "memory_bytes": column.judged.memory,
@@ -210,6 +219,7 @@ def verify_runs(
     """
     if not 0 <= options.failures <= MOST_FAILURES:
         raise VerificationError(Sentence("a check takes 0 to {most} failures", MOST_FAILURES))
+    cores = _usable(options.cores)
     run = runs(seed)
     asked = run.mission.properties
     names = (*options.properties, *(one.name for one in options.asked))
@@ -236,11 +246,8 @@ def verify_runs(
             if progress is not None:
                 progress(timing, failures, states, depth)
 
-        judged = check_properties(
-            model,
-            properties,
-            Budget(options.states, left, options.memory, options.stop, report_progress, options.clock),
-        )
+        budget = Budget(options.states, left, options.memory, options.stop, report_progress, options.clock, cores)
+        judged = (check_approximately if options.approximate else check_properties)(model, properties, budget)
         column = Column(judged, tuple(_finding(verdict, model, options) for verdict in judged.verdicts))
         if column_done is not None:
             column_done(column)
@@ -252,6 +259,22 @@ def verify_runs(
                 column_done(column)
         columns.append(column)
     return Verification(run.tick_ms, tuple(limits), tuple(columns), options.kinds)
+
+
+def _usable(cores: int | None) -> int:
+    """How many cores are to explore."""
+    there_are = usable_cores()
+    if cores is None:
+        return there_are
+    if not 1 <= cores <= there_are:
+        raise VerificationError(
+            Sentence.counted(
+                "a check takes 1 core, since there is {count}",
+                "a check takes 1 to {count} cores, since there are {count}",
+                there_are,
+            )
+        )
+    return cores
 
 
 def _failure_limits(

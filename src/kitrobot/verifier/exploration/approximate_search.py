@@ -29,9 +29,9 @@ from kitrobot.verifier.exploration.state_filter import (
     MOST_BIRTHS,
     block_of,
     insert_hash,
-    layout_free_hash,
     odds_of_omission,
 )
+from kitrobot.verifier.exploration.step_batches import layout_free_hash
 from kitrobot.verifier.model.model import Model, State
 from kitrobot.verifier.tables import columns as v
 from kitrobot.verifier.tables.dynamic_arrays import grow_table
@@ -116,7 +116,7 @@ class ApproximateSpace(StateSpace):
         self.model.t, self.graph = engine.take(self.model.t, self.graph, _WINDOW)
         self.engine = engine
         births, picks = engine.bytes(len(self.kept.births)), engine.bytes(len(self.kept.picks))
-        births[:], picks[:] = memoryview(self.kept.births), memoryview(self.kept.picks)
+        births[:], picks[:] = bytearray(self.kept.births), bytearray(self.kept.picks)
         numbers = [engine.row([int(one) for one in row]) for row in (self.kept.wide, self.kept.counts)]
         self.kept = StateFilter(engine.view(self.kept.bits), births, picks, *numbers)
         if self.batches is not None:

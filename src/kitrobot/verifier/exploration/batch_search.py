@@ -41,55 +41,42 @@ class Worker:
         tables: those that all share, with its own registers and scratch.
         end: the number of the state behind its share.
         begin: its region's first step in the batch.
+        until: the end of its steps.
     """
 
     def __init__(self, tables: Tables, begin: int) -> None:
         self.tables = _own_tables(tables)
-        self.begin = begin
+        self.begin = self.until = begin
         self.end = 0
         self._shared = tables
 
-    def take(self, tables: Tables, first: int, end: int, room: int, batch_first: int) -> None:
+    def take(self, tables: Tables, first: int, end: int, room: int) -> None:
         """Begins its share of a batch: the states from `first` to before `end`."""
-        self._refresh(tables)
-        regs = self.tables.regs
-        regs[v.AT], regs[v.GATHERED], regs[v.STEP_ROOM] = first, self.begin, self.begin + room
-        regs[v.BATCH_FIRST] = batch_first
-        self.end = end
-
-    def go_on(self, tables: Tables) -> None:
-        """Takes over what the owner of the tables added."""
-        regs = self.tables.regs
-        kept = [int(regs[n]) for n in _PROGRESS]
-        self._refresh(tables)
-        for n, value in zip(_PROGRESS, kept, strict=True):
-            self.tables.regs[n] = value
-
-    def _refresh(self, tables: Tables) -> None:
-        cached = self.tables.regs[v.AFTERS], self.tables.regs[v.AFTER_ROWS], self.tables.regs[v.NEXTS]
+        cached = [int(self.tables.regs[n]) for n in _CACHED]
         if tables is not self._shared:
             self._shared = tables
             if any(len(getattr(tables, name)) != len(getattr(self.tables, name)) for name in _OWN):
-                self.tables, cached = _own_tables(tables), (0, 0, 0)
+                self.tables, cached = _own_tables(tables), [0] * len(_CACHED)
             else:
-                own = {name: getattr(self.tables, name) for name in _OWN}
-                self.tables = tables._replace(**own)
+                self.tables = tables._replace(**{name: getattr(self.tables, name) for name in _OWN})
         regs = self.tables.regs
         regs[:] = tables.regs
-        regs[v.IS_WORKER] = regs[v.GATHERS] = 1
-        regs[v.AFTERS], regs[v.AFTER_ROWS], regs[v.NEXTS] = cached
+        for n, value in zip(_CACHED, cached, strict=True):
+            regs[n] = value
+        regs[v.IS_WORKER], regs[v.GATHERS], regs[v.LEFT_OUT] = 1, v.GATHERS_ALL, 0
+        regs[v.GATHER_AT], regs[v.GATHERED], regs[v.STEP_ROOM] = first, self.begin, self.begin + room
+        if int(regs[v.AFTER_ROWS]) * v.AFTER * 2 > len(self.tables.after):
+            self.forget_after()
+        self.end = end
 
     def forget_after(self) -> None:
-        """Empties its cache `after`, which is full or of another layout."""
+        """Empties its cache `after`, which is nearly full or of another layout."""
         self.tables.regs[v.AFTERS] = self.tables.regs[v.AFTER_ROWS] = 0
         self.tables.after_slots[:] = [0] * len(self.tables.after_slots)
 
 
-_PROGRESS = (
-    *(v.AT, v.GATHERED, v.STEP_ROOM, v.BATCH_FIRST, v.SEEN_KINDS),
-    *range(v.FIRST_OF, v.FIRST_OF + v.KINDS),
-)
-"""The registers that say how far a worker is with its share."""
+_CACHED = (v.AFTERS, v.AFTER_ROWS, v.NEXTS)
+"""The registers that belong to a worker's scratch."""
 
 
 def _own_tables(tables: Tables) -> Tables:
@@ -120,6 +107,7 @@ class BatchSearch:
         self._layout = space.model.layout
         self.batch: StepBatch
         self._end = -1
+        self._is_gathered = False
         self._is_refused = False
         self._pool = ThreadPoolExecutor(cores, "search") if cores > 1 and space.engine.is_parallel else None
         self._make_room()
@@ -132,26 +120,34 @@ class BatchSearch:
     @property
     def memory(self) -> int:
         """Bytes of the batch."""
-        return len(self.batch.x) * 36 + self._states * 5
+        return len(self.batch.x) * 36 + self._states * 13
 
     @property
     def coming(self) -> int:
         """How many states the batch may add at most; 0 before its steps are known."""
-        return sum(int(worker.tables.regs[v.GATHERED]) - worker.begin for worker in self._workers) if self._end >= 0 else 0
+        return sum(worker.until - worker.begin for worker in self._workers) if self._is_gathered else 0
 
     def steps(self) -> Iterator[tuple[int, int, int, int]]:
         """Of the gathered batch the first state of each worker, the one behind its last, and so of its steps."""
         first = int(self._space.model.t.regs[v.AT])
         for worker in self._workers:
-            yield first, worker.end, worker.begin, int(worker.tables.regs[v.GATHERED])
+            yield first, worker.end, worker.begin, worker.until
             first = worker.end
 
     def _make_room(self) -> None:
         engine, size = self._space.engine, self._cores * self._room
         sums = engine.words(0) if self._sums is None else self._sums()
         self.batch = StepBatch(
-            *(engine.words(size) for _ in range(4)),
-            *(engine.zeros(size), engine.zeros(self._states), engine.bytes(self._states), sums),
+            x=engine.words(size),
+            y=engine.words(size),
+            places=engine.words(size),
+            targets=engine.words(size),
+            taken=engine.zeros(size),
+            begins=engine.zeros(self._states),
+            ends=engine.zeros(self._states),
+            kinds=engine.zeros(self._states),
+            calm=engine.bytes(self._states),
+            sums=sums,
         )
         self._workers = [Worker(self._space.model.t, n * self._room) for n in range(self._cores)]
 
@@ -176,24 +172,30 @@ class BatchSearch:
         if self._end < 0:
             self._begin(until)
         try:
-            if not self._gather():
-                self._end = -1
+            if not (self._is_gathered or self._gather()):
+                self._forget_batch()
                 return v.GOES_ON
+            self._is_gathered = True
         except ModelTooLargeError:
             if self.kept is not None:
                 raise
-            self._is_refused, self._end = True, -1
+            self._is_refused = True
+            self._forget_batch()
             return v.GOES_ON
         regs = space.model.t.regs
         if self.kept is None and int(regs[v.COUNT]) + self.coming > int(regs[v.MOST]):
-            self._is_refused, self._end = True, -1
+            self._is_refused = True
+            self._forget_batch()
             return v.GOES_ON
         code = self._room_code()
         if code == v.GOES_ON:
             space.look_at_steps(self)
             code = self._commit()
-            self._end = -1
+            self._forget_batch()
         return code
+
+    def _forget_batch(self) -> None:
+        self._end, self._is_gathered = -1, False
 
     def _begin(self, until: int) -> None:
         """Shares a batch out; it ends at the end of a level at the latest."""
@@ -208,37 +210,56 @@ class BatchSearch:
                 worker.forget_after()
             if self._sums is not None:
                 self.batch = self.batch._replace(sums=self._sums())
+        self._is_gathered = False
         self._end = min(at + self._states, int(regs[v.LEVEL_END]))
         count = self._end - at
         regs[v.BATCH_FIRST] = at
         for n, worker in enumerate(self._workers):
             first, end = at + count * n // self._cores, at + count * (n + 1) // self._cores
-            worker.take(self._space.model.t, first, end, self._room, at)
+            worker.take(self._space.model.t, first, end, self._room)
 
     def _gather(self) -> bool:
         """Gathers the steps of the batch; False if it has to begin anew."""
         space = self._space
-        waiting = list(self._workers)
-        while waiting:
+        regs = space.model.t.regs
 
-            def gather(worker: Worker) -> int:
-                return int(space.engine.explore_states(worker.tables, space.graph, self.batch, worker.end))
+        def gather(worker: Worker) -> int:
+            return int(space.engine.explore_states(worker.tables, space.graph, self.batch, worker.end))
 
-            codes = list(self._each(gather, waiting))
-            waiting = [worker for worker, code in zip(waiting, codes, strict=True) if code != v.GOES_ON]
-            for worker, code in zip(waiting, (code for code in codes if code != v.GOES_ON), strict=True):
-                if code == v.ROOM_STEPS:
-                    self._more_room()
+        # One worker alone adds to the tables what they lack.
+        codes = list(self._each(gather, self._workers)) if self._cores > 1 else [v.GOES_ON]
+        if v.ROOM_STEPS in codes:
+            self._more_room()
+            return False
+        first = int(regs[v.AT])
+        regs[v.GATHERS] = v.GATHERS_LEFT_OUT if self._cores > 1 else v.GATHERS_ALL
+        try:
+            for worker in self._workers:
+                theirs = worker.tables.regs
+                regs[v.GATHER_AT], regs[v.GATHERED], regs[v.STEP_ROOM] = first, theirs[v.GATHERED], theirs[v.STEP_ROOM]
+                first = worker.end
+                if (theirs[v.LEFT_OUT] or self._cores == 1) and not self._gather_left_out(worker.end):
                     return False
-                if code == v.ROOM_AFTERS and worker.tables.regs[v.AFTERS]:
-                    worker.forget_after()
-                    continue
-                space.complete_tables(int(worker.tables.regs[v.AT]))
-                if space.model.layout is not self._layout:
-                    return False
-            for worker in waiting:
-                worker.go_on(space.model.t)
+                worker.until = (
+                    int(regs[v.GATHERED]) if self._cores == 1 or theirs[v.LEFT_OUT] else int(theirs[v.GATHERED])
+                )
+        finally:
+            regs[v.GATHERS] = 0
         return True
+
+    def _gather_left_out(self, end: int) -> bool:
+        """Gathers what a worker left out, and adds to the tables what it lacked; False if the batch begins anew."""
+        space = self._space
+        while True:
+            code = int(space.engine.explore_states(space.model.t, space.graph, self.batch, end))
+            if code == v.GOES_ON:
+                return True
+            if code == v.ROOM_STEPS:
+                self._more_room()
+                return False
+            space.fill(code)
+            if space.model.layout is not self._layout:
+                return False
 
     def _more_room(self) -> None:
         if self._room >= _MOST_STEPS and self._states > self._cores:
@@ -265,9 +286,9 @@ class BatchSearch:
 
     def _commit(self) -> int:
         """Inserts and numbers the states after the steps of the batch."""
-        space, regs, batch = self._space, self._space.model.t.regs, self.batch
+        space, batch = self._space, self.batch
         engine, graph, two = space.engine, space.graph, space.model.layout.words == 2
-        regions = [(worker.begin, int(worker.tables.regs[v.GATHERED])) for worker in self._workers]
+        regions = [(worker.begin, worker.until) for worker in self._workers]
 
         def insert(n: int) -> None:
             for first, end in regions:
@@ -279,24 +300,9 @@ class BatchSearch:
                     engine.filter_steps(self.kept, batch, first, end, low, high)
 
         list(self._each(insert, list(range(self._cores))))
-        for worker in self._workers:
-            self._note_kinds(worker.tables.regs)
-            if self.kept is None:
-                code = engine.number_steps(space.model.t, graph, batch, worker.end, worker.begin)
-            else:
-                code = engine.queue_steps(space.model.t, graph, batch, self.kept, worker.end, worker.begin)
-            if code != v.GOES_ON:
-                return int(code)
-        return v.GOES_ON
-
-    def _note_kinds(self, theirs: Any) -> None:
-        """Takes over which states have the first events of their kinds."""
-        regs = self._space.model.t.regs
-        new = int(theirs[v.SEEN_KINDS]) & ~int(regs[v.SEEN_KINDS])
-        for kind in range(v.KINDS):
-            if new >> kind & 1:
-                regs[v.FIRST_OF + kind] = theirs[v.FIRST_OF + kind]
-        regs[v.SEEN_KINDS] |= new
+        if self.kept is None:
+            return int(engine.number_steps(space.model.t, graph, batch, self._end))
+        return int(engine.queue_steps(space.model.t, graph, batch, self.kept, self._end))
 
     def _each(self, task: Callable[[Any], Any], of: list[Any]) -> Iterator[Any]:
         """Does a task for each of these, beside each other where that is possible."""
@@ -312,5 +318,5 @@ def _share(size: int, n: int, of: int) -> tuple[int, int]:
 
 def empty_batch(engine: Engine) -> StepBatch:
     """The batch of a search without batches."""
-    words = engine.words(0)
-    return StepBatch(words, words, words, words, engine.zeros(0), engine.zeros(0), engine.bytes(0), words)
+    words, numbers = engine.words(0), engine.zeros(0)
+    return StepBatch(words, words, words, words, numbers, numbers, numbers, numbers, engine.bytes(0), words)

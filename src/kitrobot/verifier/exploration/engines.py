@@ -1,7 +1,7 @@
 """Engines that explore and search states: the same functions, run by CPython or compiled by Numba.
 
-The functions are those of `breadth_first_search`, `step_batches`, `state_filter`, `state_marks` and `fairness`. Both engines run one source and give
-the same numbers in the same order, so an exploration may switch from one to the other.
+The functions are those of `breadth_first_search`, `step_batches`, `state_filter`, `state_marks` and `fairness`. Both
+engines run one source and give the same numbers in the same order, so an exploration may switch from one to the other.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class Engine(NamedTuple):
     is_parallel: bool = False
 
 
-FUNCTIONS: dict[str, Callable[..., Any]] = {
+FUNCTIONS: dict[str, Any] = {
     "explore_states": step_batches.explore_states,
     "insert_steps": step_batches.insert_steps,
     "number_steps": step_batches.number_steps,

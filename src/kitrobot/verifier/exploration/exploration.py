@@ -128,14 +128,6 @@ class StateSpace:
         self.model.t, self.graph = engine.take(self.model.t, self.graph, int(most))
         self.engine = engine
 
-    def complete_tables(self, number: int) -> None:
-        """Adds what the tables lack for the steps out of a state.
-
-        Raises:
-            ModelTooLargeError: there is no room left.
-        """
-        self._expand(self.state(number), -1)
-
     def install(self, states: Sequence[State], steps: Sequence[Sequence[tuple[int, int]]], calm: Sequence[int]) -> None:
         """Takes over what was explored elsewhere: states, and of the first ones the steps, each with the number of the
         state after it (one behind all where it is not among them) and its progress classes; and calm states.

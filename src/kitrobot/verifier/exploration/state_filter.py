@@ -1,27 +1,25 @@
-"""A Bloom filter instead of the states: what an approximate search keeps, and the odds that it takes a new state for one
-that it has seen.
+"""A Bloom filter instead of the states, and the odds that it takes a new state for one that it has seen.
 
 A state sets `BITS` bits in one block of 512, so one read of memory decides whether it was seen (Putze, Sanders and
 Singler, *Cache-, Hash- and Space-Efficient Bloom Filters*, 2007). Besides, two bytes for each state say from which one
-it was reached first: states are numbered as they are reached, so those that a state reached first follow each other, and
-their number is enough (`births`); `picks` says which of its steps it was. So the way to any state can be found again.
+it was reached first: states are numbered as they are reached, so those that a state reached first follow each other,
+and their number is enough (`births`); `picks` says which of its steps it was. So the way to any state can be found.
 
 `odds_of_omission` is plain Python; the rest of this module uses only the subset that Numba compiles.
 """
 
 from __future__ import annotations
 
+from kitrobot.verifier.exploration.step_batches import NEW, note_state
 from kitrobot.verifier.tables.columns import (
     ALL_BITS,
     AT,
     BASE,
     BATCH_FIRST,
-    CALMS,
     COUNT,
     CUT,
     GOES_ON,
     MOST,
-    MULTIPLIER,
     OTHER_MULTIPLIER,
     WORDS,
 )
@@ -31,24 +29,11 @@ BITS = 6
 """Bits of a state."""
 BLOCK = 64
 """Bytes of a block."""
-SEEN, NEW = 0, -1
-"""Targets of steps: to a state that was seen, or to a new one."""
+SEEN = 0
+"""The target of a step to a state that was seen."""
 _WINDOW = 64
 MOST_BIRTHS = 255
 _SAMPLE = 4096
-
-
-def layout_free_hash(sums: Row, x: int, y: int, two: bool) -> int:
-    """A hash of a key that stays the same when fields widen: of each bit of each field a random word, summed without
-    carry, then mixed.
-    """
-    h = 0
-    for k in range(8):
-        h ^= sums[256 * k + (x >> 8 * k & 255)]
-    if two:
-        for k in range(8):
-            h ^= sums[2048 + 256 * k + (y >> 8 * k & 255)]
-    return ((h ^ h >> 29) * MULTIPLIER) & ALL_BITS
 
 
 def block_of(h: int, blocks: int) -> int:
@@ -90,15 +75,15 @@ def insert_hash(bits: Row, block: int, h: int) -> int:
     return target
 
 
-def queue_steps(t: Tables, g: Graph, b: StepBatch, f: StateFilter, until: int, first: int) -> int:
+def queue_steps(t: Tables, g: Graph, b: StepBatch, f: StateFilter, until: int) -> int:
     """Numbers and queues the new states after the steps out of the states up to this one, or as many as there may be;
-    the first of these steps is `first`. Why it ended, or GOES_ON.
+    why it ended, or GOES_ON.
     """
-    regs, two, base, begin = t.regs, t.regs[WORDS] == 2, t.regs[BASE], t.regs[BATCH_FIRST]
-    at, count, n, code = regs[AT], regs[COUNT], first, GOES_ON
+    regs, two, base, first = t.regs, t.regs[WORDS] == 2, t.regs[BASE], t.regs[BATCH_FIRST]
+    at, count, code = regs[AT], regs[COUNT], GOES_ON
     while at < until and code == GOES_ON:
-        end, mine, born = b.ends[at - begin], n, count
-        while n < end:
+        begin, born = b.begins[at - first], count
+        for n in range(begin, b.ends[at - first]):
             if b.targets[n] == NEW:
                 if count >= regs[MOST]:
                     code = CUT
@@ -106,17 +91,14 @@ def queue_steps(t: Tables, g: Graph, b: StepBatch, f: StateFilter, until: int, f
                 g.x[count - base] = b.x[n]
                 if two:
                     g.y[count - base] = b.y[n]
-                f.picks[count] = n - mine & 255
+                f.picks[count] = n - begin & 255
                 count += 1
-            n += 1
         born = count - born
         f.births[at] = min(born, MOST_BIRTHS)
         if born >= MOST_BIRTHS:
             f.wide[f.counts[0]], f.wide[f.counts[0] + 1] = at, born
             f.counts[0] += 2
-        if b.calm[at - begin]:
-            g.calm[regs[CALMS]] = at if b.calm[at - begin] == 1 else -at - 1
-            regs[CALMS] += 1
+        note_state(t, g, b, at, at if b.calm[at - first] == 1 else -at - 1)
         at += 1
         regs[AT], regs[COUNT] = at, count
     return code

@@ -8,6 +8,7 @@ sample of the others, since each takes as long as a hundred steps of the search.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from kitrobot.verifier.exploration.approximate_search import ApproximateSpace, explore_approximately
 from kitrobot.verifier.exploration.batch_search import BatchSearch
@@ -41,18 +42,23 @@ def check_approximately(
     """Explores a model that has not been explored approximately, and says which properties it found broken."""
     judge = _Judge([one for one in properties if is_judged_approximately(one)])
     stepwise = judge.look_at_steps if any(one.breaks is not None for one in judge.open) else None
-    if not judge.open:
-        budget = Budget(1, budget.seconds, budget.memory, budget.stop, budget.progress, budget.clock)
+    is_asked = bool(judge.open)
     has_ended = budget.stop
-    stopping = Budget(
-        *(budget.states, budget.seconds, budget.memory, lambda: not judge.open or has_ended(), budget.progress),
-        *(budget.clock, budget.cores, budget.alone),
-    )
-    space = explore_approximately(model, stopping, judge.look_at_states, stepwise, engine)
+    budget = replace(budget, stop=lambda: not judge.open or has_ended())
+    space = explore_approximately(model, budget, judge.look_at_states, stepwise, engine)
     cut = space.cut if judge.open else None
     return CheckResult(
-        *(model.timing, model.failures, tuple(judge.verdict(one) for one in properties), len(space), space.depth),
-        *(False, space.seconds, space.memory, cut, space.odds if judge.open or judge.found else None),
+        model.timing,
+        model.failures,
+        tuple(judge.verdict(one) for one in properties),
+        states=len(space),
+        depth=space.depth,
+        complete=False,
+        seconds=space.seconds,
+        memory=space.memory,
+        cut=cut,
+        is_approximate=True,
+        odds=space.odds if is_asked else None,
     )
 
 
@@ -128,12 +134,11 @@ class _Judge:
             now, counts = mark_keys(space, keys, begin, until, breaks[1])
             if not sum(counts):
                 continue
-            at = begin
             for state in range(first, end):
-                after = int(batch.ends[state - batch_first])
-                if was[state - base] and any(now[at:after]):
-                    return counterexample_through(space, space.way(state), _next_mark(now, at) - at)
-                at = after
+                if was[state - base]:
+                    at = int(batch.begins[state - batch_first])
+                    if any(now[at : int(batch.ends[state - batch_first])]):
+                        return counterexample_through(space, space.way(state), _next_mark(now, at) - at)
         return None
 
     def _standstill_run(self, space: ApproximateSpace, one: Property, end: int) -> Counterexample | None:

@@ -84,8 +84,9 @@ class CheckResult:
         complete: whether there are no more states.
         seconds: the duration of the exploration.
         memory: the bytes of states, steps and tables.
-        odds: of an approximate search, the odds that a state which a step led to was taken for another one that had been
-            seen (`state_filter.odds_of_omission`); None for an exact one.
+        is_approximate: whether states were forgotten, and perhaps omitted.
+        odds: of an approximate search, the odds that a state which a step led to was taken for one that had been seen
+            (`state_filter.odds_of_omission`); None for an exact one.
     """
 
     timing: Timing
@@ -97,6 +98,7 @@ class CheckResult:
     seconds: float
     memory: int = 0
     cut: CutReason | None = None
+    is_approximate: bool = False
     odds: float | None = None
 
 

@@ -29,11 +29,13 @@ CODE, CONFS, MOVES, MOVE_SETS, LOG, NEXTS, TAKEN = range(7)
 MISS_A, MISS_B, MISS_C, SEEK, FOUND = range(7, 12)
 AT, COUNT, EDGES, LEVEL_END, DEPTH, CALMS, MOST, SEEN_KINDS, KEEPS, WORDS, TOUCHED = range(12, 23)
 AFTERS, AFTER_ROWS, CHOICES = range(23, 26)
-IS_WORKER, GATHERS, BASE, BATCH_FIRST, GATHERED, STEP_ROOM = range(26, 32)
+IS_WORKER, GATHERS, BASE, BATCH_FIRST, GATHER_AT, GATHERED, STEP_ROOM, LEFT_OUT = range(26, 34)
 """Whether these are a worker's tables, which adds nothing to what all workers share; whether steps are gathered in a
-batch; the number of the first state that is kept; of a batch its first state, and how many steps it has of the most.
+batch (`GATHERS_ALL`), or only those that a worker left out; the number of the first state that is kept; of a batch its
+first state, the state that is next, how many steps there are and how many may be, and how many states were left out.
 """
-FIRST_OF = 32
+GATHERS_ALL, GATHERS_LEFT_OUT = 1, 2
+FIRST_OF = 34
 """From here on: for each kind of event, the first state in which it occurs."""
 KINDS = 24
 REGS = FIRST_OF + KINDS

@@ -111,7 +111,8 @@ class StepBatch(NamedTuple):
         places: its hash; of a new state then its place in the table.
         targets: the number of the state after each step, or what is known of it.
         taken: the progress classes of each step, by number.
-        ends: of each state the end of its steps.
+        begins, ends: of each state its first step and the end of its steps; an end of -1 where a worker left it out.
+        kinds: of each state the kinds of the events of its steps.
         calm: whether a state is calm (see `Graph.calm`): 2 if no step leaves it.
         sums: for each byte of a key 256 words, whose sums without carry are hashes that no layout changes; empty where
             hashes are those of keys.
@@ -122,7 +123,9 @@ class StepBatch(NamedTuple):
     places: Row
     targets: Row
     taken: Row
+    begins: Row
     ends: Row
+    kinds: Row
     calm: Row
     sums: Row
 

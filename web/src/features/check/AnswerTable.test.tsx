@@ -27,6 +27,8 @@ function column(place: number, cut: Cut): VerifyColumnMessage {
     depth: 3,
     cut,
     seconds: 1,
+    is_approximate: false,
+    odds: null,
     properties: [{ name: "stock", sentence: "no box is lost", answer, ...rest, scenes: [], guilty: [] }],
   };
 }
