@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from kitrobot.checking.run_explanation import RunExplanation
     from kitrobot.checking.verification import Finding, Progress, Verification
     from kitrobot.mission.property_forms import AskedProperty
+    from kitrobot.mission.trial import FailureKind
     from kitrobot.verifier.exploration.budget import CutReason
     from kitrobot.verifier.model.timing import Timing
     from kitrobot.verifier.report.replay import ConfirmedRun
@@ -128,9 +129,7 @@ def verify_mission(
         return
     assert file is not None, "there is a file"
     from kitrobot.checking.verification import MOST_FAILURES, VerificationOptions, verify
-    from kitrobot.verifier.model.table_builder import KINDS, USUAL_KINDS
     from kitrobot.verifier.model.timing import Timing
-    from kitrobot.verifier.properties.verdicts import Answer
     from kitrobot.workspace.mission_loader import open_mission
     from kitrobot.workspace.mission_run import RunOptions
     from kitrobot.workspace.run_hints import FASTER
@@ -139,15 +138,11 @@ def verify_mission(
         raise typer.BadParameter(f"a check takes 0 to {MOST_FAILURES} failures", param_hint="'--failures'")
     known = [one.value for one in Timing]
     _check_names(timings, known, "--timing")
-    if kinds and not failures:
-        raise typer.BadParameter("say with --failures how many there may be", param_hint="'--kind'")
-    befalls = {one.value: one for one in KINDS}
-    _check_names(kinds, befalls, "--kind")
+    wanted = _failure_kinds(kinds, failures)
     chosen = tuple(one for one in Timing if not timings or one.value in timings)
     names, asked = _read_properties(properties or ())
     prepared = open_mission(file).prepare(RunOptions(1, 600.0))
     print_diagnostics(prepared.problems, prepared.sources)
-    wanted = tuple(one for name, one in befalls.items() if name in kinds) if kinds else USUAL_KINDS
     options = VerificationOptions(
         *(names, chosen, failures, wanted, most_states, seconds),
         memory=most_memory * _MEGA,
@@ -161,10 +156,28 @@ def verify_mission(
     print_data(json_text(made.to_json()) + "\n" if as_json else _table(made))
     if made.would_gain and not as_json:
         print_message(FASTER)
+    if status := _status(made):
+        raise typer.Exit(status)
+
+
+def _failure_kinds(names: Sequence[str] | None, failures: int) -> tuple[FailureKind, ...]:
+    """What a failure may be, by the names of kinds."""
+    from kitrobot.verifier.model.table_builder import KINDS, USUAL_KINDS
+
+    if names and not failures:
+        raise typer.BadParameter("say with --failures how many there may be", param_hint="'--kind'")
+    known = {one.value: one for one in KINDS}
+    _check_names(names, known, "--kind")
+    return tuple(one for name, one in known.items() if name in names) if names else USUAL_KINDS
+
+
+def _status(made: Verification) -> int:
+    """The exit status of a check."""
+    from kitrobot.verifier.properties.verdicts import Answer
+
     if Answer.BROKEN in made.answers:
-        raise typer.Exit(1)
-    if not {Answer.NOT_FINISHED, Answer.NOTHING_FOUND, Answer.NOT_DECIDED}.isdisjoint(made.answers):
-        raise typer.Exit(3)
+        return 1
+    return 0 if {Answer.HOLDS, Answer.VACUOUS}.issuperset(made.answers) else 3
 
 
 def _read_properties(texts: Sequence[str]) -> tuple[tuple[str, ...], tuple[AskedProperty, ...]]:

@@ -9,17 +9,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from kitrobot.verifier.exploration.engines import Engine
 from kitrobot.verifier.exploration.state_filter import BLOCK
+from kitrobot.verifier.exploration.step_batches import WINDOW
+from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.tables import columns as v
 from kitrobot.verifier.tables.dynamic_arrays import grow_table
 from kitrobot.verifier.tables.events import ModelTooLargeError
-from kitrobot.verifier.tables.tables import StateFilter, StepBatch, Tables
-
-if TYPE_CHECKING:
-    from kitrobot.verifier.exploration.exploration import StateSpace
+from kitrobot.verifier.tables.tables import Graph, StateFilter, StepBatch, Tables
 
 _STATES = 16_384
 """States of a batch for each worker: much more work than beginning a round, and few enough for the caches of a core."""
@@ -27,11 +26,27 @@ _STEPS_EACH = 8
 """Steps that there is room for at first, for each state of a batch."""
 _MOST_STEPS = 1 << 20
 """Steps of a worker from which on a batch that has no room for them has fewer states instead."""
+_OWN_ROOM = 2 * WINDOW
+"""Numbers of `StepBatch.own` for each worker; parts of memory that two write lie apart."""
 _OWN = (
     *("regs", "made", "now", "seen", "line", "faults", "after_heads", "after_slots", "after"),
     *("next_x", "next_y", "next_taken", "next_kinds", "next_slots", "next_event", "events"),
 )
 """The tables that each worker has for itself."""
+
+
+class BatchSpace(Protocol):
+    """What is explored in batches (see `exploration.StateSpace`)."""
+
+    model: Model
+    graph: Graph
+    engine: Engine
+
+    def fill(self, code: int) -> None:
+        """Adds what a pause code asks for."""
+
+    def look_at_steps(self, batches: BatchSearch) -> None:
+        """Called with each gathered batch before its states are numbered."""
 
 
 class Worker:
@@ -96,7 +111,7 @@ class BatchSearch:
     """
 
     def __init__(
-        self, space: StateSpace, cores: int, kept: StateFilter | None = None, sums: Callable[[], Any] | None = None
+        self, space: BatchSpace, cores: int, kept: StateFilter | None = None, sums: Callable[[], Any] | None = None
     ) -> None:
         self._space = space
         self.kept = kept
@@ -147,6 +162,7 @@ class BatchSearch:
             ends=engine.zeros(self._states),
             kinds=engine.zeros(self._states),
             calm=engine.bytes(self._states),
+            own=engine.words(self._cores * _OWN_ROOM),
             sums=sums,
         )
         self._workers = [Worker(self._space.model.t, n * self._room) for n in range(self._cores)]
@@ -294,10 +310,10 @@ class BatchSearch:
             for first, end in regions:
                 if self.kept is None:
                     low, high = _share(len(graph.slots), n, self._cores)
-                    engine.insert_steps(graph, batch, first, end, low, high, two)
+                    engine.insert_steps(graph, batch, first, end, low, high, n * _OWN_ROOM, two)
                 else:
                     low, high = _share(len(self.kept.bits) // BLOCK, n, self._cores)
-                    engine.filter_steps(self.kept, batch, first, end, low, high)
+                    engine.filter_steps(self.kept, batch, first, end, low, high, n * _OWN_ROOM)
 
         list(self._each(insert, list(range(self._cores))))
         if self.kept is None:
@@ -319,4 +335,4 @@ def _share(size: int, n: int, of: int) -> tuple[int, int]:
 def empty_batch(engine: Engine) -> StepBatch:
     """The batch of a search without batches."""
     words, numbers = engine.words(0), engine.zeros(0)
-    return StepBatch(words, words, words, words, numbers, numbers, numbers, numbers, engine.bytes(0), words)
+    return StepBatch(words, words, words, words, numbers, numbers, numbers, numbers, engine.bytes(0), words, words)

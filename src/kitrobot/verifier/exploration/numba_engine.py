@@ -18,6 +18,7 @@ _INLINED = frozenset(
         "decode",
         "emit_step",
         "find",
+        "block_of",
         "insert_hash",
         "key_hash",
         "layout_free_hash",
@@ -76,13 +77,13 @@ def samples() -> dict[str, tuple[Any, ...]]:
     t = engines.ArrayTables(*tables).pointer
     g = engines.ArrayGraph(*(kinds.get(name, numbers) for name in engines.ArrayGraph._fields)).pointer
     s = TablePointer(ComponentSearch(*rows))
-    b = TablePointer(StepBatch(words, words, words, words, *[numbers] * 4, marks, words))
+    b = TablePointer(StepBatch(words, words, words, words, numbers, numbers, numbers, numbers, marks, words, words))
     f = TablePointer(StateFilter(marks, marks, marks, words, words))
     return {
         "explore_states": (t, g, b, 1),
-        "insert_steps": (g, b, 1, 1, 1, 1, True),
+        "insert_steps": (g, b, 1, 1, 1, 1, 1, True),
         "number_steps": (t, g, b, 1),
-        "filter_steps": (f, b, 1, 1, 1, 1),
+        "filter_steps": (f, b, 1, 1, 1, 1, 1),
         "queue_steps": (t, g, b, f, 1),
         "expand": (t, 1, 1),
         "rehash": (g, 1, True),

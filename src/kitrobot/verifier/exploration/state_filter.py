@@ -10,7 +10,7 @@ and their number is enough (`births`); `picks` says which of its steps it was. S
 
 from __future__ import annotations
 
-from kitrobot.verifier.exploration.step_batches import NEW, note_state
+from kitrobot.verifier.exploration.step_batches import NEW, WINDOW, note_state
 from kitrobot.verifier.tables.columns import (
     ALL_BITS,
     AT,
@@ -31,7 +31,6 @@ BLOCK = 64
 """Bytes of a block."""
 SEEN = 0
 """The target of a step to a state that was seen."""
-_WINDOW = 64
 MOST_BIRTHS = 255
 _SAMPLE = 4096
 
@@ -41,25 +40,23 @@ def block_of(h: int, blocks: int) -> int:
     return (h >> 31) * blocks >> 32
 
 
-def filter_steps(f: StateFilter, b: StepBatch, first: int, end: int, low: int, high: int) -> int:
-    """Looks up the states after these steps whose blocks are from `low` to before `high`, and adds new ones.
-
-    What is returned has no meaning: it keeps compilers from leaving out reads.
+def filter_steps(f: StateFilter, b: StepBatch, first: int, end: int, low: int, high: int, own: int) -> int:
+    """Looks up the states after these steps whose blocks are from `low` to before `high`, and adds new ones; `own` and
+    what is returned as of `step_batches.insert_steps`.
     """
     bits, blocks = f.bits, len(f.bits) // BLOCK
     mixed = 0
-    for at in range(first, end, _WINDOW):
-        until = min(at + _WINDOW, end)
-        # As in `breadth_first_search.touch`.
-        for n in range(at, until):
+    for at in range(first, end, WINDOW):
+        count = own
+        for n in range(at, min(at + WINDOW, end)):
             block = block_of(b.places[n], blocks)
-            if low <= block and block < high:
-                mixed ^= bits[block * BLOCK]
-        for n in range(at, until):
-            block = block_of(b.places[n], blocks)
-            if block < low or block >= high:
-                continue
-            b.targets[n] = insert_hash(bits, block, b.places[n])
+            b.own[count] = n
+            count += (block >= low) & (block < high)
+        for k in range(own, count):
+            mixed ^= bits[block_of(b.places[b.own[k]], blocks) * BLOCK]
+        for k in range(own, count):
+            n = b.own[k]
+            b.targets[n] = insert_hash(bits, block_of(b.places[n], blocks), b.places[n])
     return mixed
 
 

@@ -41,7 +41,7 @@ NEW = -1
 the state that this one of the batch leads to, counted from -2 on."""
 LATER = -(1 << 40)
 """The target of a step whose state may belong to the next part of the table."""
-_WINDOW = 64
+WINDOW = 64
 """Steps whose places in memory are read at once, before they are looked at one after another."""
 
 
@@ -113,31 +113,33 @@ def layout_free_hash(sums: Row, x: int, y: int, two: bool) -> int:
     return ((h ^ h >> 29) * MULTIPLIER) & ALL_BITS
 
 
-def insert_steps(g: Graph, b: StepBatch, first: int, end: int, low: int, high: int, two: bool) -> int:
+def insert_steps(g: Graph, b: StepBatch, first: int, end: int, low: int, high: int, own: int, two: bool) -> int:
     """Looks up the states after these steps whose places are from `low` to before `high`, and inserts new ones.
 
-    A new one is a negative number in the table until it is numbered. What is returned has no meaning: it keeps
-    compilers from leaving out reads.
+    A new one is a negative number in the table until it is numbered. `own`: where the worker's part of `b.own` begins.
+    What is returned has no meaning: it keeps compilers from leaving out reads.
     """
     slots, known = g.slots, g.x
     last = len(slots) - 1
     is_alone = low == 0 and high > last
     mixed = 0
-    for at in range(first, end, _WINDOW):
-        until = min(at + _WINDOW, end)
+    for at in range(first, end, WINDOW):
+        count = own
+        # No branches: which steps are a worker's own is as good as chance.
+        for n in range(at, min(at + WINDOW, end)):
+            place = b.places[n] & last
+            b.own[count] = n
+            count += (place >= low) & (place < high)
         # As in `breadth_first_search.touch`.
-        for n in range(at, until):
+        for k in range(own, count):
+            mixed ^= slots[b.places[b.own[k]] & last]
+        for k in range(own, count):
+            number = slots[b.places[b.own[k]] & last]
+            if number > 0:
+                mixed ^= known[number - 1]
+        for k in range(own, count):
+            n = b.own[k]
             place = b.places[n] & last
-            if low <= place and place < high:
-                mixed ^= slots[place]
-        for n in range(at, until):
-            place = b.places[n] & last
-            if low <= place and place < high and slots[place] > 0:
-                mixed ^= known[slots[place] - 1]
-        for n in range(at, until):
-            place = b.places[n] & last
-            if place < low or place >= high:
-                continue
             x, y = b.x[n], b.y[n] if two else 0
             while True:
                 number = slots[place]

@@ -114,6 +114,7 @@ class StepBatch(NamedTuple):
         begins, ends: of each state its first step and the end of its steps; an end of -1 where a worker left it out.
         kinds: of each state the kinds of the events of its steps.
         calm: whether a state is calm (see `Graph.calm`): 2 if no step leaves it.
+        own: of each worker the steps that are its own among some that follow each other.
         sums: for each byte of a key 256 words, whose sums without carry are hashes that no layout changes; empty where
             hashes are those of keys.
     """
@@ -127,6 +128,7 @@ class StepBatch(NamedTuple):
     ends: Row
     kinds: Row
     calm: Row
+    own: Row
     sums: Row
 
 
