@@ -43,8 +43,8 @@ _SHARE = 0.5
 """The filter's share of the memory that is free; the rest is for what grows."""
 _UNLIMITED = 512_000_000
 """Bytes of the filter where memory has no limit."""
-_BYTES_EACH = 4
-"""Bytes of the filter for each state, where their number has a limit."""
+_BYTES_EACH, _LEAST = 2, 1 << 20
+"""Bytes of the filter for each state, where their number has a limit, and at least."""
 _WINDOW = 1 << 20
 """Room for so many keys, with the compiled engine, before more is needed."""
 _AT_ONCE = 65_536
@@ -262,7 +262,7 @@ def _filter_bytes(budget: Budget) -> int:
     if budget.memory is not None:
         room = int(_SHARE * max(0, budget.memory - (resident() or USUAL)))
     if budget.states is not None:
-        room = min(room, _BYTES_EACH * budget.states)
+        room = min(room, max(_LEAST, _BYTES_EACH * budget.states))
     return max(1, room // BLOCK) * BLOCK
 
 

@@ -23,7 +23,7 @@ function detail(answer: CheckedProperty | undefined): string {
 /** How many states a rough search may have missed. */
 function oddsWords(odds: number): string {
   if (odds > WORTHLESS) return t("check.odds-full");
-  return t("check.odds", { states: grouped(Math.floor(1 / Math.max(odds, LEAST_ODDS))) });
+  return t("check.odds", { states: grouped(Math.round(1 / Math.max(odds, LEAST_ODDS))) });
 }
 
 function Mark({ shape }: { shape: Shape }) {
