@@ -96,7 +96,8 @@ def test_an_approximate_search_reaches_the_same_states_compiled(compiled: Engine
             assert space.way(end - 1)[-1] == space.state(end - 1)
 
         made = explore_approximately(Model(run, parts, 0, timing), Budget(60_000, cores=cores), judge, engine=one)
-        found[cores] = seen, made.odds
+        # Which of two steps to a new state comes first, and with it the numbers of its parts, may differ.
+        found[cores] = len(set(seen)), len(made), made.depth
     assert found[1] == found[3]
 
 

@@ -269,8 +269,8 @@ def _usable(cores: int | None) -> int:
     if not 1 <= cores <= there_are:
         raise VerificationError(
             Sentence.counted(
-                "a check takes 1 core, since there is {count}",
-                "a check takes 1 to {count} cores, since there are {count}",
+                "a check takes {count} core on this machine",
+                "a check takes 1 to {count} cores on this machine",
                 there_are,
             )
         )
