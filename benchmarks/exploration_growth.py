@@ -25,6 +25,8 @@ def series(rows: list[dict[str, Any]]) -> dict[str, list[tuple[float, float]]]:
         if row["unit"] != "states/s":
             continue
         carriers, what, engine = row["what"].split(", ")
+        if what not in ("safety", "liveness"):
+            continue
         number = float(carriers.split()[0])
         found.setdefault(f"{what}, {engine}", []).append((number, row["ours"]["median"]))
         if row["theirs"] is not None:

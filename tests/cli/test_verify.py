@@ -7,12 +7,13 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.cli.verify import progress_words
+from kitrobot.cli.verify import odds_words, progress_words
 
 ROOT = Path(__file__).parents[2]
 SMALL = ROOT / "examples" / "passing-loop" / "passing-loop.krt"
 ENDLESS = ("--seconds", "1e9")
 """A check that no busy machine cuts short."""
+MORE = "--approximate looks at more, and does not say that anything holds"
 
 
 def test_every_property_that_holds_is_in_the_table(kitrobot) -> None:
@@ -61,9 +62,9 @@ def test_a_search_that_is_cut_never_holds(kitrobot) -> None:
     [
         (
             ("--timing", "prompt", "--max-states", "50"),
-            "prompt; free came to the limit of states; --max-states sets another",
+            f"prompt; free came to the limit of states; --max-states sets another; {MORE}",
         ),
-        (("--max-memory", "1"), "free came to the limit of memory; --max-memory sets another"),
+        (("--max-memory", "1"), f"free came to the limit of memory; --max-memory sets another; {MORE}"),
         (("--timing", "prompt", "--seconds", "0.000001"), "prompt ran out of time; --seconds gives it more"),
     ],
 )
@@ -84,12 +85,47 @@ def test_why_a_search_is_not_finished_is_said_with_what_helps(kitrobot, options:
         (("--seconds", "0"), 2, "a check takes more than 0 seconds"),
         (("--max-states", "0"), 2, "--max-states"),
         (("--max-memory", "0"), 2, "--max-memory"),
+        (("--approximate", "--max-memory", "lots"), 2, "--max-memory"),
+        (("--cores", "0"), 2, "--cores"),
+        (("--cores", "4096"), 1, "a check takes 1"),
     ],
 )
 def test_a_check_that_makes_no_sense_is_refused(kitrobot, options: tuple[str, ...], status: int, words: str) -> None:
     said = kitrobot("verify", SMALL, *options)
     assert said.status == status
     assert words in said.err
+
+
+def test_an_approximate_check_says_what_it_found_how_sure_it_is_and_what_it_cannot_decide(kitrobot) -> None:
+    asked = ("verify", SMALL, "--timing", "lockstep", "--approximate", *ENDLESS)
+    said = kitrobot(*asked)
+    assert said.status == 3
+    rows = {line.split()[0]: line.split()[1:] for line in said.out.splitlines() if line and line[0] != " "}
+    assert (rows["deadlock"], rows["delivered"]) == (["nothing", "found"], ["not", "decided"])
+    assert "holds" not in said.out
+    assert (
+        "  approximate: lockstep: fewer than 1 in 1,000,000,000 states that steps lead to may have been missed"
+        in said.out
+    )
+    assert (
+        "  not decided: what waits, or depends on what came before, needs all steps; leave out --approximate"
+        in said.out
+    )
+    (checked,) = kitrobot(*asked, "--property", "deadlock", "--json").json["checks"]
+    assert (checked["approximate"], checked["complete"], checked["cut"]) == (True, False, None)
+    assert 0 <= checked["missed_odds"] < 1e-9
+
+
+def test_an_approximate_check_whose_memory_ends_keeps_what_it_knows(kitrobot) -> None:
+    said = kitrobot("verify", SMALL, "--timing", "lockstep", "--approximate", "--max-memory", "1")
+    assert said.status == 3
+    assert "  not finished: lockstep came to the limit of memory; --max-memory sets another\n" in said.out
+    assert "nothing found" in said.out
+
+
+def test_odds_are_said_in_whole_states() -> None:
+    assert odds_words(0.0003).startswith("at most 1 in 3,333 states")
+    assert odds_words(0.9).startswith("its memory was full")
 
 
 def test_a_team_is_checked_with_members_that_fail_and_what_is_cut_is_not_finished(kitrobot) -> None:

@@ -8,6 +8,7 @@ import pytest
 from playwright.sync_api import expect
 
 from kitrobot.server.routes import drawing_check as drawing_check_socket
+from tests.patience import PATIENCE_S
 from tests.studio.conftest import Studio
 from tests.studio.looks import find_nothing
 from tests.workspace.test_drawing_check import WAIT

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.checking.verification import Finding, VerificationOptions, verify, verify_runs
+from kitrobot.checking.verification import VerificationOptions, verify, verify_runs
+from kitrobot.checking.verification_result import Finding
 from kitrobot.mission.property_forms import AskedProperty, Form
 from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier.exploration.budget import Budget

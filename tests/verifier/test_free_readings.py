@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.checking.verification import Verification, VerificationOptions, verify_runs
+from kitrobot.checking.verification import VerificationOptions, verify_runs
+from kitrobot.checking.verification_result import Verification
 from kitrobot.sim.simulation import Simulation
 from kitrobot.translation.translator import translate_to
 from kitrobot.verifier.model.abstraction import abstract_run

@@ -8,6 +8,7 @@ from __future__ import annotations
 import pytest
 
 from kitrobot.mission.property_forms import AskedProperty, Form
+from kitrobot.verifier.exploration.approximate_search import ApproximateSpace, explore_approximately
 from kitrobot.verifier.exploration.budget import Budget
 from kitrobot.verifier.exploration.engines import PLAIN, Engine
 from kitrobot.verifier.exploration.exploration import StateSpace, explore
@@ -65,6 +66,39 @@ def test_compiled_and_plain_give_the_same_numbers(
         judged = check_properties(model, [*ready_properties(model), *own], Budget(30_000), each)
         verdicts.append([(one.answer, one.counterexample) for one in judged.verdicts])
     assert verdicts[0] == verdicts[1]
+
+
+@pytest.mark.timeout(900)
+@pytest.mark.parametrize("timing", list(Timing))
+def test_compiled_workers_beside_each_other_find_what_one_plain_one_does(compiled: Engine, timing: Timing) -> None:
+    run = transport(stock=1, carriers=2)
+    parts = abstract_run(run)
+    alone = explore(Model(run, parts, 0, timing), Budget(60_000), True, PLAIN)
+    together = explore(Model(run, parts, 0, timing), Budget(60_000, cores=3, alone=0), True, compiled)
+    assert together.batches is not None
+    count, edges = len(alone), int(alone.graph.first_edge[alone.expanded])
+    assert (count, alone.expanded, alone.depth) == (len(together), together.expanded, together.depth)
+    assert [alone.state(n) for n in range(count)] == [together.state(n) for n in range(count)]
+    assert list(alone.graph.targets[:edges]) == list(together.graph.targets[:edges])
+
+
+@pytest.mark.timeout(900)
+@pytest.mark.parametrize("timing", list(Timing))
+def test_an_approximate_search_reaches_the_same_states_compiled(compiled: Engine, timing: Timing) -> None:
+    run = transport(stock=1, carriers=2)
+    parts = abstract_run(run)
+    found = {}
+    for cores, one in ((1, PLAIN), (3, compiled)):
+        seen: list[tuple[int, ...]] = []
+
+        def judge(space: ApproximateSpace, first: int, end: int, seen: list[tuple[int, ...]] = seen) -> None:
+            seen.extend(space.state(number) for number in range(first, end))
+            assert space.way(end - 1)[-1] == space.state(end - 1)
+
+        made = explore_approximately(Model(run, parts, 0, timing), Budget(60_000, cores=cores), judge, engine=one)
+        # Which of two steps to a new state comes first, and with it the numbers of its parts, may differ.
+        found[cores] = len(set(seen)), len(made), made.depth
+    assert found[1] == found[3]
 
 
 @pytest.mark.timeout(900)

@@ -8,7 +8,8 @@ import weakref
 import pytest
 
 from kitrobot.sim.jit.table_pointer import TablePointer
-from kitrobot.verifier.exploration.engines import FUNCTIONS, ArrayGraph, ArrayTables, array_engine
+from kitrobot.verifier.exploration.approximate_search import ApproximateSpace
+from kitrobot.verifier.exploration.engines import FUNCTIONS, PLAIN, ArrayGraph, ArrayTables, array_engine
 from kitrobot.verifier.exploration.exploration import fresh_graph
 from kitrobot.verifier.exploration.numba_engine import samples
 from kitrobot.verifier.model.abstraction import abstract_run
@@ -25,7 +26,13 @@ def test_functions_are_compiled_for_the_tables_that_they_are_given() -> None:
     given = {one.layout for arguments in samples().values() for one in arguments if isinstance(one, TablePointer)}
     assert all(isinstance(tables, ArrayTables | ArrayGraph) for tables in taken)
     assert {tables.pointer.layout for tables in taken if isinstance(tables, ArrayTables | ArrayGraph)} < given
-    assert len(given) == 3  # and what a search keeps
+    space = ApproximateSpace(Model(run, abstract_run(run)), fresh_graph(), PLAIN)
+    space.use(array_engine(FUNCTIONS))
+    space.may_join(2)
+    assert space.batches is not None
+    assert {TablePointer(space.batches.batch).layout, TablePointer(space.kept).layout} < given
+    space.batches.close()
+    assert len(given) == 5  # and what a search keeps
 
 
 def test_arrays_that_were_replaced_by_longer_ones_are_gone_at_once() -> None:

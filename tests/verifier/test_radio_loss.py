@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.checking.verification import Verification, VerificationOptions, verify, verify_runs
+from kitrobot.checking.verification import VerificationOptions, verify, verify_runs
+from kitrobot.checking.verification_result import Verification
 from kitrobot.mission.trial import FailureKind
 from kitrobot.verifier.exploration.budget import Budget
 from kitrobot.verifier.exploration.exploration import explore

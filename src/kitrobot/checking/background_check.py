@@ -12,14 +12,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from kitrobot.checking.run_explanation import RunExplanation
-from kitrobot.checking.verification import (
-    Column,
-    Finding,
-    Verification,
-    VerificationError,
-    VerificationOptions,
-    verify_runs,
-)
+from kitrobot.checking.verification import VerificationError, VerificationOptions, verify_runs
+from kitrobot.checking.verification_result import Column, Finding, Verification
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.sim.run_spec import RunSpec
 from kitrobot.text.sentences import Sentence
@@ -112,6 +106,8 @@ class CheckedColumn:
     cut: CutReason | None
     seconds: float
     properties: tuple[PropertyAnswer, ...]
+    is_approximate: bool = False
+    odds: float | None = None
 
 
 @dataclass(frozen=True)
@@ -244,6 +240,8 @@ def _plain(column: Column) -> CheckedColumn:
         judged.cut,
         judged.seconds,
         tuple(_answered(finding) for finding in column.findings),
+        judged.is_approximate,
+        judged.odds,
     )
 
 

@@ -13,7 +13,8 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Final, Literal
 
-from kitrobot.checking.verification import Finding, VerificationError, VerificationOptions, verify
+from kitrobot.checking.verification import VerificationError, VerificationOptions, verify
+from kitrobot.checking.verification_result import Finding
 from kitrobot.compiler.target import target_of
 from kitrobot.compiler.text.part_text import draw_template
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError

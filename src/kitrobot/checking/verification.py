@@ -5,32 +5,33 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
-from kitrobot.checking.run_explanation import RunExplanation, describe_story, explain_verdict, place_explanation
+from kitrobot.checking.run_explanation import describe_story, explain_verdict, place_explanation
+from kitrobot.checking.verification_result import Column, Finding, Verification
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.mission.property_forms import AskedProperty
 from kitrobot.mission.trial import FailureKind
 from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import COMMA, Sentence, Series
 from kitrobot.verifier.exploration.budget import Budget
-from kitrobot.verifier.exploration.engine_policy import would_gain
 from kitrobot.verifier.model.abstraction import Abstraction, abstract_run
 from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.model.table_builder import USUAL_KINDS
 from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.approximate_verdicts import check_approximately
 from kitrobot.verifier.properties.custom_properties import (
     build_custom_properties,
     build_custom_property,
     property_variables,
 )
 from kitrobot.verifier.properties.properties import Property, ready_properties
-from kitrobot.verifier.properties.verdicts import Answer, CheckResult, Verdict, check_properties
+from kitrobot.verifier.properties.verdicts import Verdict, check_properties
 from kitrobot.verifier.report.counterexample_text import free_readings
 from kitrobot.verifier.report.explanation import MOST_NODES
 from kitrobot.verifier.report.replay import ConfirmedRun, confirm, injected_faults
 from kitrobot.verifier.report.state_walk import find_places
-from kitrobot.verifier.report.storyboard import Culprit, Scene, draw_scenes, find_culprits
+from kitrobot.verifier.report.storyboard import draw_scenes, find_culprits
+from kitrobot.workspace.child_processes import cores as usable_cores
 from kitrobot.workspace.mission_run import PreparedRun
 
 MOST_FAILURES = 3
@@ -75,6 +76,9 @@ class VerificationOptions:
         asked: properties that are asked besides those of the mission; if there are any, no others are checked unless
             `properties` names them.
         clock: what tells the time, in seconds.
+        cores: at most so many cores explore a large mission beside each other; None for all that there are.
+        approximate: whether states are forgotten, so that more can be looked at and nothing be said to hold (see
+            `verifier.exploration.approximate_search`).
     """
 
     properties: tuple[str, ...] = ()
@@ -90,97 +94,8 @@ class VerificationOptions:
     explains: bool = False
     asked: tuple[AskedProperty, ...] = ()
     clock: Callable[[], float] = time.monotonic
-
-
-@dataclass(frozen=True)
-class Finding:
-    """A verdict, with the run of the simulator that confirms it where one was found, and the model's run in words.
-
-    `searched`: whether the simulator was looked through for such a run, and why it is broken was asked, or need not be.
-    `scenes`, `guilty`: the run as pictures, and `places`: its steps as a walk by hand takes them (`state_walk`), where
-    pictures are wanted. `why`: why it is broken, where that is wanted.
-    """
-
-    verdict: Verdict
-    confirmed: ConfirmedRun | None = None
-    story: tuple[tuple[int, Sentence], ...] = ()
-    searched: bool = True
-    scenes: tuple[Scene, ...] = ()
-    guilty: tuple[Culprit, ...] = ()
-    places: tuple[int, ...] = ()
-    why: RunExplanation | None = None
-
-
-@dataclass(frozen=True)
-class Column:
-    """The findings under one assumption."""
-
-    judged: CheckResult
-    findings: tuple[Finding, ...]
-
-
-@dataclass(frozen=True)
-class Verification:
-    """What came of a check.
-
-    Attributes:
-        tick_ms: a step of the simulator.
-        limits: what the model takes more generously than the simulator is, in sentences.
-        columns: the assumptions that were checked, in order.
-        kinds: what a failure may be.
-    """
-
-    tick_ms: int
-    limits: tuple[str, ...]
-    columns: tuple[Column, ...]
-    kinds: tuple[FailureKind, ...] = USUAL_KINDS
-
-    @property
-    def answers(self) -> list[Answer]:
-        """All answers."""
-        return [finding.verdict.answer for column in self.columns for finding in column.findings]
-
-    @property
-    def would_gain(self) -> bool:
-        """Whether it was long, and would have been much quicker if Numba were installed."""
-        return would_gain(sum(column.judged.states for column in self.columns))
-
-    def to_json(self) -> dict[str, Any]:
-        """As plain values, in the published shape."""
-        return {
-            "limits": list(self.limits),
-            "checks": [
-                {
-                    "timing": column.judged.timing.value,
-                    "failures": column.judged.failures,
-                    "kinds": [kind.value for kind in self.kinds] if column.judged.failures else [],
-                    "states": column.judged.states,
-                    "depth": column.judged.depth,
-                    "complete": column.judged.complete,
-                    "cut": None if column.judged.cut is None else column.judged.cut.value,
-                    "properties": [_finding_json(finding, self.tick_ms) for finding in column.findings],
-                    "timing_seconds": round(column.judged.seconds, 3),
-                    "memory_bytes": column.judged.memory,
-                }
-                for column in self.columns
-            ],
-        }
-
-
-def _finding_json(finding: Finding, tick_ms: int) -> dict[str, Any]:
-    verdict, confirmed = finding.verdict, finding.confirmed
-    made: dict[str, Any] = {
-        "name": verdict.property.name,
-        "sentence": str(verdict.property.sentence),
-        "answer": verdict.answer.value,
-    }
-    if verdict.counterexample is not None:
-        made["run"] = [{"step": step, "text": str(text)} for step, text in finding.story]
-        made["steps"] = len(verdict.counterexample.steps)
-        made["repeats_from"] = verdict.counterexample.repeats_from if verdict.counterexample.repeats_from >= 0 else None
-        made["confirmed"] = None if confirmed is None else confirmed.to_json(tick_ms)
-        made["why"] = None if finding.why is None else finding.why.to_json(tick_ms)
-    return made
+    cores: int | None = None
+    approximate: bool = False
 
 
 def verify(
@@ -213,6 +128,7 @@ def verify_runs(
     """
     if not 0 <= options.failures <= MOST_FAILURES:
         raise VerificationError(Sentence("a check takes 0 to {most} failures", MOST_FAILURES))
+    cores = _usable(options.cores)
     run = runs(seed)
     asked = run.mission.properties
     names = (*options.properties, *(one.name for one in options.asked))
@@ -239,11 +155,8 @@ def verify_runs(
             if progress is not None:
                 progress(timing, failures, states, depth)
 
-        judged = check_properties(
-            model,
-            properties,
-            Budget(options.states, left, options.memory, options.stop, report_progress, options.clock),
-        )
+        budget = Budget(options.states, left, options.memory, options.stop, report_progress, options.clock, cores)
+        judged = (check_approximately if options.approximate else check_properties)(model, properties, budget)
         column = Column(judged, tuple(_finding(verdict, model, options) for verdict in judged.verdicts))
         if column_done is not None:
             column_done(column)
@@ -255,6 +168,22 @@ def verify_runs(
                 column_done(column)
         columns.append(column)
     return Verification(run.tick_ms, tuple(limits), tuple(columns), options.kinds)
+
+
+def _usable(cores: int | None) -> int:
+    """How many cores are to explore."""
+    there_are = usable_cores()
+    if cores is None:
+        return there_are
+    if not 1 <= cores <= there_are:
+        raise VerificationError(
+            Sentence.counted(
+                "a check takes {count} core on this machine",
+                "a check takes 1 to {count} cores on this machine",
+                there_are,
+            )
+        )
+    return cores
 
 
 def _failure_limits(

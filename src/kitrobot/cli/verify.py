@@ -20,7 +20,8 @@ from kitrobot.text.sentences import Sentence
 
 if TYPE_CHECKING:
     from kitrobot.checking.run_explanation import RunExplanation
-    from kitrobot.checking.verification import Finding, Progress, Verification
+    from kitrobot.checking.verification import Progress
+    from kitrobot.checking.verification_result import Finding, Verification
     from kitrobot.mission.property_forms import AskedProperty
     from kitrobot.mission.trial import FailureKind
     from kitrobot.verifier.exploration.budget import CutReason
@@ -31,6 +32,9 @@ _MEGA = 1_000_000
 _ELSEWHERE = Sentence("ask it of runs (`kitrobot judge --by runs`), of failures or of a recording")
 _FIRST, _LAST = 6, 24
 """Events of one run that are shown: the first and the last ones."""
+
+_WORTHLESS = 0.5
+"""Odds of a state to be missed from which on an approximate search says next to nothing."""
 
 _OTHER = 5
 """Events of another way that are shown."""
@@ -78,6 +82,22 @@ MostMemory = Annotated[
     int,
     typer.Option("--max-memory", metavar="MB", min=1, help="Let its process take at most so much memory."),
 ]
+Cores = Annotated[
+    int | None,
+    typer.Option(
+        min=1,
+        metavar="N",
+        help="Let at most so many cores explore a large mission together. Else all that there are.",
+        show_default=False,
+    ),
+]
+IsApproximate = Annotated[
+    bool,
+    typer.Option(
+        "--approximate",
+        help="Forget states, to look at many more: it may find what breaks a property, and never says that one holds.",
+    ),
+]
 Seconds = Annotated[float, typer.Option(metavar="S", help="Take at most so long, together.")]
 
 
@@ -90,6 +110,8 @@ def verify_mission(
     most_states: MostStates = None,
     most_memory: MostMemory = 2_000,
     seconds: Seconds = 60.0,
+    cores: Cores = None,
+    approximate: IsApproximate = False,
     as_json: ResultAsJson = False,
 ) -> None:
     """Check what can go wrong in a mission, whatever the order of events; or whether recordings keep its properties.
@@ -98,7 +120,7 @@ def verify_mission(
     another way from there.
 
     The exit status is 0 when every property holds wherever it was checked, 1 when one is broken, and 3 when none is
-    and a search was not finished.
+    and a search was not finished, or approximate.
     """
     if not (math.isfinite(seconds) and seconds > 0):
         raise typer.BadParameter("a check takes more than 0 seconds", param_hint="'--seconds'")
@@ -109,33 +131,41 @@ def verify_mission(
     assert file is not None, "there is a file"
     from kitrobot.checking.verification import VerificationOptions, verify
     from kitrobot.verifier.model.timing import Timing
-    from kitrobot.verifier.properties.verdicts import Answer
     from kitrobot.workspace.mission_loader import open_mission
     from kitrobot.workspace.mission_run import RunOptions
     from kitrobot.workspace.run_hints import FASTER
 
     known = [one.value for one in Timing]
     _check_names(timings, known, "--timing")
-    befalls = read_kinds(failures, kinds)
+    wanted = read_kinds(failures, kinds)
     chosen = tuple(one for one in Timing if not timings or one.value in timings)
     names, asked = _read_properties(properties or ())
     prepared = open_mission(file).prepare(RunOptions(1, 600.0))
     print_diagnostics(prepared.problems, prepared.sources)
     options = VerificationOptions(
-        *(names, chosen, failures, befalls, most_states, seconds),
+        *(names, chosen, failures, wanted, most_states, seconds),
         memory=most_memory * _MEGA,
         explains=True,
         asked=asked,
+        cores=cores,
+        approximate=approximate,
     )
     with _progress() as progress:
         made = verify(prepared, options, progress)
     print_data(json_text(made.to_json()) + "\n" if as_json else _table(made))
     if made.would_gain and not as_json:
         print_message(FASTER)
+    if status := _status(made):
+        raise typer.Exit(status)
+
+
+def _status(made: Verification) -> int:
+    """The exit status of a check."""
+    from kitrobot.verifier.properties.verdicts import Answer
+
     if Answer.BROKEN in made.answers:
-        raise typer.Exit(1)
-    if Answer.NOT_FINISHED in made.answers:
-        raise typer.Exit(3)
+        return 1
+    return 0 if {Answer.HOLDS, Answer.VACUOUS}.issuperset(made.answers) else 3
 
 
 def read_kinds(failures: int, kinds: Collection[str] | None) -> tuple[FailureKind, ...]:
@@ -238,11 +268,12 @@ def _table(made: Verification) -> str:
     explored = (f"{column.judged.states:,}" for column in made.columns)
     cells = (text.ljust(width) for text, width in zip(explored, widths, strict=True))
     lines += ["", "  ".join(["states".ljust(names), *cells]).rstrip()]
-    cuts: dict[CutReason, list[str]] = {}
+    cuts: dict[tuple[CutReason, bool], list[str]] = {}
     for column, head in zip(made.columns, heads, strict=True):
         if column.judged.cut is not None:
-            cuts.setdefault(column.judged.cut, []).append(head)
-    lines += [f"  not finished: {_cut_sentence(cut, '; '.join(heads))}" for cut, heads in cuts.items()]
+            cuts.setdefault((column.judged.cut, column.judged.is_approximate), []).append(head)
+    lines += [f"  not finished: {_cut_sentence(*cut, '; '.join(heads))}" for cut, heads in cuts.items()]
+    lines += _approximate_lines(made, heads)
     lines += [f"  taken for granted: {limit}" for limit in made.limits]
     told: set[str] = set()
     for column, head in zip(made.columns, heads, strict=True):
@@ -258,11 +289,32 @@ def _table(made: Verification) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _cut_sentence(cut: CutReason, where: str) -> str:
+def _approximate_lines(made: Verification, heads: Sequence[str]) -> Iterator[str]:
+    """How far an approximate search is to be trusted, and what it cannot decide."""
+    for column, head in zip(made.columns, heads, strict=True):
+        if column.judged.odds is not None:
+            yield f"  approximate: {head}: {odds_words(column.judged.odds)}"
+    if any(answer.value == "not decided" for answer in made.answers):
+        yield (
+            "  not decided: what waits, or depends on what came before, needs all steps; leave out --approximate, "
+            "let fewer robots take part, or ask runs (kitrobot judge --by runs)"
+        )
+
+
+def odds_words(odds: float) -> str:
+    """How many of the states that steps lead to may have been missed, of so many."""
+    if odds > _WORTHLESS:
+        return "its memory was full: most states were missed; --max-memory gives it more"
+    share = "fewer than 1 in 1,000,000,000" if odds < 1e-9 else f"at most 1 in {math.floor(1 / odds):,}"
+    return f"{share} states that steps lead to may have been missed, and what only they lead to"
+
+
+def _cut_sentence(cut: CutReason, is_approximate: bool, where: str) -> str:
     """The sentence on why a search was not finished under these assumptions, and what helps."""
+    more = "" if is_approximate else "; --approximate looks at more, and does not say that anything holds"
     return {
-        "states": f"{where} came to the limit of states; --max-states sets another",
-        "memory": f"{where} came to the limit of memory; --max-memory sets another",
+        "states": f"{where} came to the limit of states; --max-states sets another{more}",
+        "memory": f"{where} came to the limit of memory; --max-memory sets another{more}",
         "time": f"{where} ran out of time; --seconds gives it more",
         "stopped": f"{where} was stopped",
         "size": f"{where} has a step that goes in too many ways to be kept",

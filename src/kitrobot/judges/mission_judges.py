@@ -10,7 +10,8 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
-from kitrobot.checking.verification import Finding, Verification, VerificationError, VerificationOptions, verify
+from kitrobot.checking.verification import VerificationError, VerificationOptions, verify
+from kitrobot.checking.verification_result import Finding, Verification
 from kitrobot.experiments.run_question import OUTCOMES, RunJudge
 from kitrobot.judges.judgement import Judge, JudgeAnswer, JudgeError, Judgement
 from kitrobot.judges.many_runs import FailureOptions, judge_failures, judge_runs

@@ -29,7 +29,10 @@ KindName = Literal["fail", "stall", "mute"]
 
 
 class VerifyStartRequest(BaseModel):
-    """Check this mission, with up to so many failures of these kinds, for so many seconds of the clock on the wall."""
+    """Check this mission, with up to so many failures of these kinds, for so many seconds of the clock on the wall.
+
+    Or look at many more states approximately.
+    """
 
     type: Literal["start"]
     mission: MissionShape
@@ -38,6 +41,7 @@ class VerifyStartRequest(BaseModel):
     failures: Annotated[int, Field(ge=0, le=MOST_FAILURES)] = 0
     kinds: Annotated[list[KindName], Field(min_length=1, max_length=len(KINDS))] = ["fail", "stall"]
     seconds: Annotated[float, Field(gt=0, le=LONGEST_S, allow_inf_nan=False)]
+    approximate: bool = False
 
 
 class VerifyStopRequest(BaseModel):
@@ -134,7 +138,10 @@ class CheckedPropertyShape(View):
 
 
 class VerifyColumnMessage(WorkMessage):
-    """The answers under one assumption. They come once more when the simulator was searched for what is broken."""
+    """The answers under one assumption. They come once more when the simulator was searched for what is broken.
+
+    `odds`: of an approximate check, the odds that a state which a step leads to was missed.
+    """
 
     type: Literal["column"] = "column"
     timing: Timing
@@ -143,6 +150,8 @@ class VerifyColumnMessage(WorkMessage):
     depth: int
     cut: CutReason | None
     seconds: float
+    is_approximate: bool
+    odds: float | None
     properties: list[CheckedPropertyShape]
 
 

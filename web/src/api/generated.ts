@@ -40,7 +40,7 @@ export interface AgentReport {
 }
 
 /** The result of checking one property. */
-export type Answer = "holds" | "broken" | "not finished" | "vacuous";
+export type Answer = "holds" | "broken" | "not finished" | "vacuous" | "nothing found" | "not decided";
 
 /** From a port of one vertex to a port of another. */
 export type Arc = { source: string; target: string; out: string; at: string };
@@ -1712,7 +1712,10 @@ export interface VariableAsk {
   shared: boolean;
 }
 
-/** The answers under one assumption. They come once more when the simulator was searched for what is broken. */
+/**
+ * The answers under one assumption. They come once more when the simulator was searched for what is broken. `odds`: of
+ * an approximate check, the odds that a state which a step leads to was missed.
+ */
 export interface VerifyColumnMessage {
   type: "column";
   timing: Timing;
@@ -1721,6 +1724,8 @@ export interface VerifyColumnMessage {
   depth: number;
   cut: CutReason | null;
   seconds: number;
+  is_approximate: boolean;
+  odds: number | null;
   properties: CheckedProperty[];
 }
 
@@ -1738,7 +1743,10 @@ export interface VerifyProgressMessage {
   memory: number;
 }
 
-/** Check this mission, with up to so many failures of these kinds, for so many seconds of the clock on the wall. */
+/**
+ * Check this mission, with up to so many failures of these kinds, for so many seconds of the clock on the wall. Or look
+ * at many more states approximately.
+ */
 export interface VerifyStartRequest {
   type: "start";
   mission: Mission;
@@ -1747,6 +1755,7 @@ export interface VerifyStartRequest {
   failures?: number;
   kinds?: ("fail" | "stall" | "mute")[];
   seconds: number;
+  approximate?: boolean;
 }
 
 /**

@@ -37,7 +37,11 @@ class _Verification(WebSocketJob):
         tick_ms = prepared.simulation.tick_ms
         kinds = tuple(kind for kind in KINDS if kind.value in request.kinds)
         options = VerificationOptions(
-            failures=request.failures, kinds=kinds, seconds=request.seconds, stop=self.stop.is_set
+            failures=request.failures,
+            kinds=kinds,
+            seconds=request.seconds,
+            stop=self.stop.is_set,
+            approximate=request.approximate,
         )
         ended = verify_apart(prepared, options, lambda told: self.send_progress(verify_message(told, tick_ms)))
         return VerifyEndMessage(limits=[] if ended is None else list(ended.limits))

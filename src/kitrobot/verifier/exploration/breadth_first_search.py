@@ -88,11 +88,7 @@ def visit(t: Tables, g: Graph, at: int, steps: int, two: bool) -> int:
         x, y, kinds = t.next_x[n], t.next_y[n], t.next_kinds[n]
         came |= kinds
         if kinds & ~seen:
-            for kind in range(KINDS):
-                if kinds & ~seen & 1 << kind:
-                    regs[FIRST_OF + kind] = at
-            seen |= kinds
-            regs[SEEN_KINDS] = seen
+            seen = note_kinds(t, at, kinds)
         place = key_hash(x, y) & last
         number = slots[place] - 1
         while number >= 0 and (known[number] != x or (two and other[number] != y)):
@@ -123,6 +119,16 @@ def visit(t: Tables, g: Graph, at: int, steps: int, two: bool) -> int:
         regs[CALMS] += 1
     regs[COUNT] = count
     return GOES_ON
+
+
+def note_kinds(t: Tables, at: int, kinds: int) -> int:
+    """Notes a state as the first one with the new ones among these kinds of events; all that have been seen."""
+    seen = t.regs[SEEN_KINDS]
+    for kind in range(KINDS):
+        if kinds & ~seen & 1 << kind:
+            t.regs[FIRST_OF + kind] = at
+    t.regs[SEEN_KINDS] = seen | kinds
+    return seen | kinds
 
 
 def touch(t: Tables, g: Graph, steps: int) -> None:

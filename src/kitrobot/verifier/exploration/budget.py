@@ -7,6 +7,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
 
+LARGE = 100_000
+"""States from which on more than one core pays."""
+
 
 class CutReason(Enum):
     """Why the exploration, or a later search of the state space, ended early."""
@@ -33,6 +36,8 @@ class Budget:
         stop: polled now and then; True stops the exploration.
         progress: called now and then with the number of states and the depth.
         clock: the clock, in seconds.
+        cores: at most so many cores explore beside each other, once they pay.
+        alone: up to so many states one core explores alone.
     """
 
     states: int | None = 1_000_000
@@ -41,6 +46,8 @@ class Budget:
     stop: Callable[[], bool] = lambda: False
     progress: Callable[[int, int], None] = lambda states, depth: None
     clock: Callable[[], float] = time.monotonic
+    cores: int = 1
+    alone: int = LARGE
 
     def interruption(self, began: float) -> Callable[[], CutReason | None]:
         """Makes a function that returns whether a task that started at `began` has to end: stopped, or out of time."""

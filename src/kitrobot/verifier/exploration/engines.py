@@ -1,7 +1,7 @@
 """Engines that explore and search states: the same functions, run by CPython or compiled by Numba.
 
-The functions are those of `breadth_first_search`, `state_marks` and `fairness`. Both engines run one source and give
-the same numbers in the same order, so an exploration may switch from one to the other.
+The functions are those of `breadth_first_search`, `step_batches`, `state_filter`, `state_marks` and `fairness`. Both
+engines run one source and give the same numbers in the same order, so an exploration may switch from one to the other.
 """
 
 from __future__ import annotations
@@ -13,23 +13,31 @@ from typing import Any, NamedTuple
 
 from kitrobot.sim.jit.table_pointer import TablePointer
 from kitrobot.verifier.exploration import breadth_first_search as bfs
-from kitrobot.verifier.exploration import fairness, state_marks
-from kitrobot.verifier.tables.tables import Graph, Tables
+from kitrobot.verifier.exploration import fairness, state_filter, state_marks, step_batches
+from kitrobot.verifier.tables.tables import Graph, StateFilter, StepBatch, Tables
 
 
 class Engine(NamedTuple):
     """The functions of one engine.
 
     Attributes:
-        advance, expand, rehash, repack: of `breadth_first_search`.
+        explore_states, insert_steps, number_steps: of `step_batches`.
+        filter_steps, queue_steps: of `state_filter`.
+        expand, rehash, repack: of `breadth_first_search`.
         mark, observe, crossing, prune: of `state_marks`.
         search, reach, sample, way: of `fairness`.
         row: converts a list of numbers to the type that the functions take.
         zeros, bytes, words: make arrays of so many zeros, of 32, 8 or 64 bits.
+        view: makes of a memory of bytes what the functions take, without a copy.
         take: converts tables and graph to the types that the functions take, with room for so many states.
+        is_parallel: whether the functions run on several cores beside each other.
     """
 
-    advance: Callable[..., int]
+    explore_states: Callable[..., int]
+    insert_steps: Callable[..., int]
+    number_steps: Callable[..., int]
+    filter_steps: Callable[..., int]
+    queue_steps: Callable[..., int]
     expand: Callable[..., int]
     rehash: Callable[..., None]
     repack: Callable[..., None]
@@ -45,11 +53,17 @@ class Engine(NamedTuple):
     zeros: Callable[[int], Any]
     bytes: Callable[[int], Any]
     words: Callable[[int], Any]
+    view: Callable[[Any], Any]
     take: Callable[[Tables, Graph, int], tuple[Tables, Graph]]
+    is_parallel: bool = False
 
 
-FUNCTIONS: dict[str, Callable[..., Any]] = {
-    "advance": bfs.advance,
+FUNCTIONS: dict[str, Any] = {
+    "explore_states": step_batches.explore_states,
+    "insert_steps": step_batches.insert_steps,
+    "number_steps": step_batches.number_steps,
+    "filter_steps": state_filter.filter_steps,
+    "queue_steps": state_filter.queue_steps,
     "expand": bfs.expand,
     "rehash": bfs.rehash,
     "repack": bfs.repack,
@@ -79,6 +93,7 @@ PLAIN = Engine(
     zeros=lambda size: array("i", bytes(4 * size)),
     bytes=bytearray,
     words=lambda size: array("q", bytes(8 * size)),
+    view=memoryview,
     take=_as_lists,
 )
 
@@ -106,7 +121,7 @@ class ArrayGraph(Graph):
 
 def _to_argument(argument: Any) -> Any:
     """Converts an argument to the type that compiled code takes."""
-    if isinstance(argument, fairness.ComponentSearch):
+    if isinstance(argument, fairness.ComponentSearch | StepBatch | StateFilter):
         return TablePointer(argument)
     return argument.pointer if isinstance(argument, ArrayTables | ArrayGraph) else argument
 
@@ -141,5 +156,7 @@ def array_engine(functions: dict[str, Callable[..., Any]]) -> Engine:
         zeros=lambda size: np.zeros(size, np.int32),
         bytes=lambda size: np.zeros(size, np.uint8),
         words=lambda size: np.zeros(size, np.int64),
+        view=lambda memory: np.frombuffer(memory, np.uint8),
         take=take,
+        is_parallel=True,
     )

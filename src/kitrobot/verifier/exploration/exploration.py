@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from array import array
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any
 
 from kitrobot.verifier.exploration import engine_policy, engines
+from kitrobot.verifier.exploration.batch_search import BatchSearch, empty_batch
 from kitrobot.verifier.exploration.budget import Budget, CutReason
 from kitrobot.verifier.exploration.engines import Engine
 from kitrobot.verifier.exploration.memory import USUAL, resident
@@ -39,6 +40,7 @@ class StateSpace:
         interruption: returns why a search has to end now (time, stop); None otherwise.
         interrupted_by: why the search for a property ended early; None if it did not.
         reserve: bytes for each state reserved for the searches after the exploration.
+        batches: explores with several workers; None while one is enough.
     """
 
     model: Model
@@ -49,6 +51,7 @@ class StateSpace:
     interruption: Callable[[], CutReason | None] = field(default=lambda: None)
     interrupted_by: CutReason | None = None
     reserve: int = 0
+    batches: BatchSearch | None = None
 
     @property
     def complete(self) -> bool:
@@ -80,6 +83,7 @@ class StateSpace:
         states = len(self) * (8 * self.model.layout.words + 4)
         steps = int(regs[v.EDGES]) * 6 + (self.expanded + 1) * 4 if regs[v.KEEPS] else 0
         tables = sum(8 * len(table) for table in self.model.t)
+        tables += 0 if self.batches is None else self.batches.memory
         return states + steps + 4 * len(graph.slots) + 4 * int(regs[v.CALMS]) + tables
 
     @property
@@ -100,11 +104,54 @@ class StateSpace:
         return 8 * len(self) if self.model.layout.words == 1 else 0
 
     def state(self, number: int) -> State:
-        """A state."""
-        graph = self.graph
-        return self.model.layout.state(
-            int(graph.x[number]), int(graph.y[number]) if self.model.layout.words == 2 else 0
+        """A state that is kept."""
+        graph, at = self.graph, number - int(self.model.t.regs[v.BASE])
+        return self.model.layout.state(int(graph.x[at]), int(graph.y[at]) if self.model.layout.words == 2 else 0)
+
+    def advance(self, until: int) -> int:
+        """Goes on exploring up to about the state of this number; why it ended, or `GOES_ON`."""
+        if self.batches is not None:
+            return self.batches.advance(until)
+        return int(self.engine.explore_states(self.model.t, self.graph, empty_batch(self.engine), until))
+
+    def may_join(self, cores: int) -> None:
+        """Lets so many cores explore from now on, if the engine can use them."""
+        if self.batches is None and cores > 1 and self.engine.is_parallel:
+            self.batches = BatchSearch(self, cores)
+
+    def look_at_steps(self, batches: BatchSearch) -> None:
+        """Called with each gathered batch before its states are numbered; an exact search keeps steps if need be."""
+
+    def use(self, engine: Engine) -> None:
+        """Switches to another engine, converting tables and graph."""
+        most = min(self.model.t.regs[v.MOST] or _ROOM_AT_FIRST, _ROOM_AT_FIRST)
+        self.model.t, self.graph = engine.take(self.model.t, self.graph, int(most))
+        self.engine = engine
+
+    def install(self, states: Sequence[State], steps: Sequence[Sequence[tuple[int, int]]], calm: Sequence[int]) -> None:
+        """Takes over what was explored elsewhere: states, and of the first ones the steps, each with the number of the
+        state after it (one behind all where it is not among them) and its progress classes; and calm states.
+        """
+        model, count = self.model, len(states)
+        keys = [model.layout.key(state) for state in states]
+        ends, targets, taken = [0], [], []
+        for row in steps:
+            targets += [target for target, _ in row]
+            taken += [classes for _, classes in row]
+            ends.append(len(targets))
+        slots = 1 << (2 * count + 4).bit_length()
+        self.graph = fresh_graph()._replace(
+            x=array("q", [x for x, _ in keys] + [0]),
+            y=array("q", [y for _, y in keys] + [0]) if model.layout.words == 2 else array("q"),
+            slots=array("i", bytes(4 * slots)),
+            first_edge=array("i", [*ends, *[len(targets)] * (count + 2 - len(ends))]),
+            targets=array("i", targets or [0]),
+            taken=array("H", taken or [0]),
+            calm=array("i", calm or [0]),
         )
+        regs = model.t.regs
+        regs[v.COUNT], regs[v.AT], regs[v.EDGES], regs[v.CALMS] = count, len(steps), len(targets), len(calm)
+        regs[v.WORDS], regs[v.BASE] = model.layout.words, 0
 
     def first_occurrences(self) -> dict[int, int]:
         """For each kind of event that occurred, the first state in which it did."""
@@ -164,7 +211,7 @@ class StateSpace:
             self._grow_states()
         elif code == v.ROOM_EDGES:
             self._grow("targets", "taken")
-            if int(regs[v.AT]) + 2 > len(self.graph.first_edge):
+            if int(regs[v.AT]) + max(2, self._coming()) > len(self.graph.first_edge):
                 self._grow("first_edge")
         elif code == v.ROOM_CALM:
             self._grow("calm")
@@ -178,14 +225,18 @@ class StateSpace:
             table = getattr(self.graph, name)
             self.graph = self.graph._replace(**{name: grow_table(table, 2 * len(table))})
 
+    def _coming(self) -> int:
+        """How many states are to find room at once."""
+        return max(len(self.model.t.next_x), 0 if self.batches is None else self.batches.coming)
+
     def _needs_states(self) -> bool:
-        return len(self.graph.x) - len(self) < 2 * len(self.model.t.next_x)
+        return len(self.graph.x) - len(self) < max(2 * len(self.model.t.next_x), self._coming())
 
     def _grow_states(self) -> None:
-        count, words = len(self), self.model.layout.words
+        words = self.model.layout.words
         if self._needs_states():
             self._grow("x", "parents", *(("y",) if words == 2 else ()))
-        if (count + len(self.model.t.next_x)) * 10 > len(self.graph.slots) * 7:
+        if (len(self) + self._coming()) * 10 > len(self.graph.slots) * 7:
             self._rebuild_slots(2 * len(self.graph.slots))
 
     def _rebuild_slots(self, size: int) -> None:
@@ -202,7 +253,8 @@ class StateSpace:
             self.graph = self.graph._replace(y=grow_table(self.graph.y, len(self.graph.x)))
         two = model.layout.words == 2
         rows = self.engine.row(before.rows()), self.engine.row(model.layout.rows())
-        self.engine.repack(self.graph, len(self), len(before.word), *rows, before.words == 2, two)
+        kept = len(self) - int(model.t.regs[v.BASE])
+        self.engine.repack(self.graph, kept, len(before.word), *rows, before.words == 2, two)
         model.t.regs[v.WORDS] = model.layout.words
         self._rebuild_slots(len(self.graph.slots))
 
@@ -222,10 +274,12 @@ def explore(
     began = budget.clock()
     space = StateSpace(model, fresh_graph(), engines.PLAIN, interruption=budget.interruption(began), reserve=reserve)
     with suppress(ModelTooLargeError):
-        _begin(space, MOST_STATES if budget.states is None else min(budget.states, MOST_STATES), keeps_steps)
+        begin_exploration(space, MOST_STATES if budget.states is None else min(budget.states, MOST_STATES), keeps_steps)
         if engine is not None:
-            _use(space, engine)
-        space.cut = _explore(space, budget, engine is None)
+            space.use(engine)
+        space.cut = continue_exploration(space, budget, engine is None)
+    if space.batches is not None:
+        space.batches.close()
     space.seconds = budget.clock() - began
     if space.engine is engines.PLAIN:
         engine_policy.plain_work.states += len(space)
@@ -255,7 +309,7 @@ def fresh_graph() -> Graph:
     )
 
 
-def _begin(space: StateSpace, most: int, keeps_steps: bool) -> None:
+def begin_exploration(space: StateSpace, most: int, keeps_steps: bool) -> None:
     """Adds the first state to the graph."""
     model = space.model
     first = model.begin()
@@ -272,7 +326,8 @@ def _begin(space: StateSpace, most: int, keeps_steps: bool) -> None:
     space.engine.rehash(space.graph, 1, model.layout.words == 2)
 
 
-def _explore(space: StateSpace, budget: Budget, may_change: bool) -> CutReason | None:
+def continue_exploration(space: StateSpace, budget: Budget, may_change: bool) -> CutReason | None:
+    """Explores until there are no more states, or a limit is reached; which one."""
     batch, begun = 256, budget.clock()
     reported = begun
     while space.expanded < len(space):
@@ -284,10 +339,11 @@ def _explore(space: StateSpace, budget: Budget, may_change: bool) -> CutReason |
             better = engine_policy.choose_engine(len(space), budget.clock() - begun)
             # For a moment both copies exist.
             if better is not None and (budget.memory is None or space.process_memory + space.memory < budget.memory):
-                _use(space, better)
+                space.use(better)
+        if len(space) >= budget.alone:
+            space.may_join(budget.cores)
         began = budget.clock()
-        t = space.model.t
-        code = space.engine.advance(t, space.graph, int(t.regs[v.AT]) + batch)
+        code = space.advance(space.expanded + batch)
         if code == v.CUT:
             return CutReason.STATES
         if code != v.GOES_ON:
@@ -301,10 +357,3 @@ def _explore(space: StateSpace, budget: Budget, may_change: bool) -> CutReason |
             reported = now
             budget.progress(len(space), space.depth)
     return None
-
-
-def _use(space: StateSpace, engine: Engine) -> None:
-    """Switches to another engine, converting tables and graph."""
-    most = min(space.model.t.regs[v.MOST] or _ROOM_AT_FIRST, _ROOM_AT_FIRST)
-    space.model.t, space.graph = engine.take(space.model.t, space.graph, int(most))
-    space.engine = engine

@@ -10,8 +10,24 @@ from kitrobot.sim.jit.cache import CALLED, Compilation, folder_of, functions_cal
 from kitrobot.sim.jit.table_pointer import TablePointer
 from kitrobot.verifier.exploration import engines
 from kitrobot.verifier.exploration.fairness import MASKS, ComponentSearch
+from kitrobot.verifier.tables.tables import StateFilter, StepBatch
 
-_INLINED = frozenset({"look_up_change", "decode", "emit_step", "find", "key_hash", "sense_key", "touch", "with_field"})
+_INLINED = frozenset(
+    {
+        "look_up_change",
+        "decode",
+        "emit_step",
+        "find",
+        "block_of",
+        "insert_hash",
+        "key_hash",
+        "layout_free_hash",
+        "note_state",
+        "sense_key",
+        "touch",
+        "with_field",
+    }
+)
 """Short functions that run many times for each state. Inlining longer ones too makes exploration no faster, and
 compilation half as long again."""
 
@@ -52,15 +68,23 @@ def samples() -> dict[str, tuple[Any, ...]]:
     """Sample arguments of the exact types that each function gets: for others Numba would compile again, in a check."""
     import numpy as np
 
-    words, numbers, marks = np.zeros(1, np.int64), np.zeros(1, np.int32), np.zeros(1, np.uint8)
+    words: Any = np.zeros(1, np.int64)
+    numbers: Any = np.zeros(1, np.int32)
+    marks: Any = np.zeros(1, np.uint8)
     kinds: dict[str, Any] = {"x": words, "y": words, "taken": np.zeros(1, np.uint16)}
     tables: list[Any] = [words] * len(engines.ArrayTables._fields)
     rows: list[Any] = [words if name in MASKS else numbers for name in ComponentSearch._fields]
     t = engines.ArrayTables(*tables).pointer
     g = engines.ArrayGraph(*(kinds.get(name, numbers) for name in engines.ArrayGraph._fields)).pointer
     s = TablePointer(ComponentSearch(*rows))
+    b = TablePointer(StepBatch(words, words, words, words, numbers, numbers, numbers, numbers, marks, words, words))
+    f = TablePointer(StateFilter(marks, marks, marks, words, words))
     return {
-        "advance": (t, g, 1),
+        "explore_states": (t, g, b, 1),
+        "insert_steps": (g, b, 1, 1, 1, 1, 1, True),
+        "number_steps": (t, g, b, 1),
+        "filter_steps": (f, b, 1, 1, 1, 1, 1),
+        "queue_steps": (t, g, b, f, 1),
         "expand": (t, 1, 1),
         "rehash": (g, 1, True),
         "repack": (g, 1, 1, words, words, True, True),

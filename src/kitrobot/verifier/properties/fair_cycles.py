@@ -19,6 +19,7 @@ from kitrobot.verifier.properties.properties import (
 )
 from kitrobot.verifier.tables import columns as v
 from kitrobot.verifier.tables.events import ModelTooLargeError
+from kitrobot.verifier.tables.tables import Graph
 
 _STEPS, _PLAIN_STEPS = 500_000, 20_000
 """Steps of a search between two polls of the limits, compiled or plain: about a quarter of a second."""
@@ -64,8 +65,13 @@ def find_first_crossing(space: StateSpace, before: Condition, after: Condition) 
 
 def mark_states(space: StateSpace, condition: Condition) -> tuple[Any, list[int]]:
     """Marks each state in which a condition holds; also returns how many there are in each chunk of states."""
+    return mark_keys(space, space.graph, 0, len(space), condition)
+
+
+def mark_keys(space: StateSpace, graph: Graph, first: int, end: int, condition: Condition) -> tuple[Any, list[int]]:
+    """The same for the keys of a graph from `first` to before `end`: a mark for each key before `end`."""
     if isinstance(condition, SensedCondition):
-        return _mark_sensed(space, condition)
+        return _mark_sensed(space, graph, first, end, condition)
     facts: list[int] = []
     truths: list[int] = []
     for clause, all_of in enumerate(condition):
@@ -74,34 +80,36 @@ def mark_states(space: StateSpace, condition: Condition) -> tuple[Any, list[int]
             facts += [clause, field, len(truths)]
             truths += truth
     engine = space.engine
-    marks = engine.bytes(max(1, len(space)))
+    marks = engine.bytes(max(1, end))
     rows, table, two = engine.row(facts), engine.row(truths), space.model.layout.words == 2
     counts = []
-    for first in range(0, len(space), CHUNK):
-        end = min(first + CHUNK, len(space))
-        counts.append(int(engine.mark_states(space.model.t, space.graph, first, end, two, rows, table, marks)))
+    for at in range(first, end, CHUNK):
+        until = min(at + CHUNK, end)
+        counts.append(int(engine.mark_states(space.model.t, graph, at, until, two, rows, table, marks)))
     return marks, counts
 
 
-def _mark_sensed(space: StateSpace, condition: SensedCondition) -> tuple[Any, list[int]]:
+def _mark_sensed(
+    space: StateSpace, graph: Graph, begin: int, end: int, condition: SensedCondition
+) -> tuple[Any, list[int]]:
     """The same for a condition on sensed values; if time is up, the remaining states are left unmarked."""
     engine, two, model = space.engine, space.model.layout.words == 2, space.model
-    marks, counts = engine.bytes(max(1, len(space))), []
+    marks, counts = engine.bytes(max(1, end)), []
     columns = [engine.words(CHUNK) for _ in condition.agents]
     known: dict[tuple[int, ...], bool] = {}
-    for first in range(0, len(space), CHUNK):
+    for first in range(begin, end, CHUNK):
         if cut := space.interruption():
             space.interrupted_by = cut
             break
-        end = min(first + CHUNK, len(space))
+        until = min(first + CHUNK, end)
         for i, keys in zip(condition.agents, columns, strict=True):
-            engine.sense_agent(model.t, space.graph, first, end, two, i, keys)
+            engine.sense_agent(model.t, graph, first, until, two, i, keys)
         count = 0
         keys_by_agent = [keys.tolist() for keys in columns]
         if condition.reads_shared:
-            keys_by_agent.append(_shared_numbers(space, first, first + CHUNK))
+            keys_by_agent.append(_shared_numbers(space, graph, first, until))
         rows = zip(*keys_by_agent, strict=False)
-        for number, row in zip(range(first, end), rows, strict=False):
+        for number, row in zip(range(first, until), rows, strict=False):
             holds = known.get(row)
             if holds is None:
                 holds = known[row] = condition.test(row)
@@ -112,9 +120,9 @@ def _mark_sensed(space: StateSpace, condition: SensedCondition) -> tuple[Any, li
     return marks, counts
 
 
-def _shared_numbers(space: StateSpace, first: int, end: int) -> list[int]:
+def _shared_numbers(space: StateSpace, graph: Graph, first: int, end: int) -> list[int]:
     """The numbers of the shared states of a range of states."""
-    layout, graph = space.model.layout, space.graph
+    layout = space.model.layout
     keys = (graph.y if layout.word[0] else graph.x)[first:end]
     return [int(key) >> layout.shift[0] & layout.mask[0] for key in keys]
 

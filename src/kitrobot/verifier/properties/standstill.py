@@ -11,13 +11,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from kitrobot.verifier.exploration.breadth_first_search import CALM
+from kitrobot.verifier.exploration.engines import PLAIN
 from kitrobot.verifier.exploration.exploration import StateSpace
-from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.model.model import Model, State
 from kitrobot.verifier.properties.fair_cycles import CHUNK, mark_states
 from kitrobot.verifier.properties.properties import Condition
 from kitrobot.verifier.tables import columns as v
 from kitrobot.verifier.tables.bodies import RUNS
 
+_MOST_AROUND = 300
+"""States that are looked at around one, in search of a standstill."""
+_MOST_LIVELY = 100_000
+"""States that are known to be left, in memory."""
 _STIRS = 1
 """The bit of anything that prevents a standstill; each command has a bit of its own above it."""
 
@@ -33,6 +39,56 @@ def find_standstill(space: StateSpace, condition: Condition) -> int:
         if all(target == state for target in graph.targets[graph.first_edge[state] : graph.first_edge[state + 1]]):
             return state
     return next(_without_effect(space, states), -1)
+
+
+class StandstillSearch:
+    """Looks for standstills around single states of a space that keeps no steps, while it is explored.
+
+    Attributes:
+        looked: how many states were looked at.
+    """
+
+    def __init__(self) -> None:
+        self.looked = 0
+        self._lively: set[State] = set()
+
+    def find_way(self, space: StateSpace, first: State, condition: Condition) -> list[State]:
+        """The states on a way from a calm state to a standstill, if calm states are all that follows it, and few."""
+        states, before, steps = [first], [-1], []
+        numbers = {first: 0}
+        for number, state in enumerate(states):
+            self.looked += 1
+            came, is_dead, row = 0, True, []
+            for after, taken, kinds in space.steps_from(state):
+                came, is_dead = came | kinds, is_dead and after == state
+                if after not in numbers:
+                    numbers[after] = len(states)
+                    states.append(after)
+                    before.append(number)
+                row.append((numbers[after], taken))
+            if (came & ~CALM and not is_dead) or len(states) > _MOST_AROUND or not self._lively.isdisjoint(numbers):
+                self._note_lively(states, before, number)
+                return []
+            steps.append(row)
+        regs = space.model.t.regs
+        kept = [int(one) for one in regs]
+        around = StateSpace(space.model, space.graph, PLAIN, interruption=space.interruption)
+        around.install(states, steps, range(len(states)))
+        at = find_standstill(around, condition)
+        regs[:] = kept
+        way = []
+        while at >= 0:
+            way.append(states[at])
+            at = before[at]
+        return way[::-1]
+
+    def _note_lively(self, states: list[State], before: list[int], number: int) -> None:
+        """Notes that something happens, or too many states follow, after these."""
+        if len(self._lively) > _MOST_LIVELY:
+            self._lively.clear()
+        while number >= 0:
+            self._lively.add(states[number])
+            number = before[number]
 
 
 def standstill_states(space: StateSpace, condition: Condition) -> list[int]:

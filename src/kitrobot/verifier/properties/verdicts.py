@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
+from itertools import pairwise
 from typing import NamedTuple
 
 from kitrobot.verifier.exploration.budget import Budget, CutReason
@@ -26,6 +27,10 @@ class Answer(Enum):
     BROKEN = "broken"
     NOT_FINISHED = "not finished"
     VACUOUS = "vacuous"
+    NOTHING_FOUND = "nothing found"
+    """By an approximate search, which may have omitted states."""
+    NOT_DECIDED = "not decided"
+    """An approximate search cannot judge it."""
 
 
 class Step(NamedTuple):
@@ -79,6 +84,9 @@ class CheckResult:
         complete: whether there are no more states.
         seconds: the duration of the exploration.
         memory: the bytes of states, steps and tables.
+        is_approximate: whether states were forgotten, and perhaps omitted.
+        odds: of an approximate search, the odds that a state which a step led to was taken for one that had been seen
+            (`state_filter.odds_of_omission`); None for an exact one.
     """
 
     timing: Timing
@@ -90,6 +98,8 @@ class CheckResult:
     seconds: float
     memory: int = 0
     cut: CutReason | None = None
+    is_approximate: bool = False
+    odds: float | None = None
 
 
 _SAFETY_BYTES, _LIVENESS_BYTES = 12, 48
@@ -192,14 +202,20 @@ def _counterexample_to(
     space: StateSpace, numbers: Sequence[int], last: int = -1, repeats: bool = False, first: int = -1
 ) -> Counterexample:
     """Rebuilds the run through these states, with a step out of the last one (-1: none)."""
-    states = [space.state(number) for number in numbers]
-    steps = []
-    for number, after in zip(numbers, states[1:], strict=False):
-        which = next(n for n, (state, _, _) in enumerate(space.steps(number)) if state == after)
-        steps.append(Step(space.events(number, which), after))
+    return counterexample_through(space, [space.state(number) for number in numbers], last, repeats, first)
+
+
+def counterexample_through(
+    space: StateSpace, states: Sequence[State], last: int = -1, repeats: bool = False, first: int = -1
+) -> Counterexample:
+    """The run through states that follow each other, with a step out of the last one (-1: none)."""
+    found, steps = list(states), []
+    for before, after in pairwise(states):
+        which = next(n for n, (state, _, _) in enumerate(space.steps_from(before)) if state == after)
+        steps.append(Step(space.events_from(before, which), after))
     if last >= 0:
-        after = [state for state, _, _ in space.steps(numbers[-1])][last]
-        steps.append(Step(space.events(numbers[-1], last), after))
-        states.append(after)
-    repeats_from = -1 if not repeats else first if first >= 0 else len(states) - 1
-    return Counterexample(tuple(states), tuple(steps), repeats_from)
+        after = [state for state, _, _ in space.steps_from(states[-1])][last]
+        steps.append(Step(space.events_from(states[-1], last), after))
+        found.append(after)
+    repeats_from = -1 if not repeats else first if first >= 0 else len(found) - 1
+    return Counterexample(tuple(found), tuple(steps), repeats_from)

@@ -224,27 +224,12 @@ class PropertyGraph:
 
     def _install(self, avoided: int) -> StateSpace:
         """The nodes as a state space for the searches of `fair_cycles`; steps that are not taken lead beyond it."""
-        space, model, beyond = self._successors.space, self._successors.space.model, len(self.nodes)
-        keys = [model.layout.key(state) for state, _ in self.nodes]
-        ends, targets, taken = [0], [], []
-        for steps in self._steps:
-            for step, target in steps:
-                targets.append(beyond if target == _BROKEN or step.kinds & avoided else target)
-                taken.append(step.taken)
-            ends.append(len(targets))
-        slots = 1 << (2 * beyond + 4).bit_length()
-        space.graph = fresh_graph()._replace(
-            x=array("q", [x for x, _ in keys] + [0]),
-            y=array("q", [y for _, y in keys] + [0]) if model.layout.words == 2 else array("q"),
-            slots=array("i", bytes(4 * slots)),
-            first_edge=array("i", [*ends, *[len(targets)] * (beyond + 2 - len(ends))]),
-            targets=array("i", targets or [0]),
-            taken=array("H", taken or [0]),
-            calm=array("i", self._calm or [0]),
-        )
-        regs = model.t.regs
-        regs[v.COUNT], regs[v.AT], regs[v.EDGES], regs[v.CALMS] = beyond, self.expanded, len(targets), len(self._calm)
-        regs[v.WORDS] = model.layout.words
+        space, beyond = self._successors.space, len(self.nodes)
+        rows = [
+            [(beyond if target == _BROKEN or step.kinds & avoided else target, step.taken) for step, target in steps]
+            for steps in self._steps
+        ]
+        space.install([state for state, _ in self.nodes], rows, self._calm)
         space.begin_property()
         return space
 

@@ -29,7 +29,13 @@ CODE, CONFS, MOVES, MOVE_SETS, LOG, NEXTS, TAKEN = range(7)
 MISS_A, MISS_B, MISS_C, SEEK, FOUND = range(7, 12)
 AT, COUNT, EDGES, LEVEL_END, DEPTH, CALMS, MOST, SEEN_KINDS, KEEPS, WORDS, TOUCHED = range(12, 23)
 AFTERS, AFTER_ROWS, CHOICES = range(23, 26)
-FIRST_OF = 26
+IS_WORKER, GATHERS, BASE, BATCH_FIRST, GATHER_AT, GATHERED, STEP_ROOM, LEFT_OUT = range(26, 34)
+"""Whether these are a worker's tables, which adds nothing to what all workers share; whether steps are gathered in a
+batch (`GATHERS_ALL`), or only those that a worker left out; the number of the first state that is kept; of a batch its
+first state, the state that is next, how many steps there are and how many may be, and how many states were left out.
+"""
+GATHERS_ALL, GATHERS_LEFT_OUT = 1, 2
+FIRST_OF = 34
 """From here on: for each kind of event, the first state in which it occurs."""
 KINDS = 24
 REGS = FIRST_OF + KINDS
@@ -37,7 +43,7 @@ REGS = FIRST_OF + KINDS
 # -- why the exploration paused
 GOES_ON, ROOM_CONFS, ROOM_MOVES, ROOM_MOVE_SETS, ROOM_LOG, ROOM_NEXT, ROOM_STATES, ROOM_EDGES, ROOM_CALM = range(9)
 WIDEN, MISS_REACTION, MISS_SHARED, MISS_DONE, MISS_LOADED, MISS_DOWN, TOO_MANY, CUT = range(9, 17)
-ROOM_AFTERS = 17
+ROOM_AFTERS, ROOM_STEPS, MISS_AS_WORKER = range(17, 20)
 
 # -- a row of `agents`
 (A_ROAD, A_PLACE, A_LEADER, A_FOLLOWER, A_LATE, A_ZONES, A_CLOSED, A_BEYOND, A_ZONE_AT, A_GAP_AT, A_CAN_AT) = range(11)

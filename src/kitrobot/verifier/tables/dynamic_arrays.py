@@ -1,4 +1,4 @@
-"""Tables that grow: lists, arrays of Python's `array` module, and NumPy arrays."""
+"""Tables that grow: lists, bytes, arrays of Python's `array` module, and NumPy arrays."""
 
 from __future__ import annotations
 
@@ -24,6 +24,8 @@ def grow_table(table: Any, size: int, free: int = 0) -> Any:
         while len(table) < size:
             table.frombytes(bytes(table.itemsize * min(_AT_ONCE, size - len(table))))
         return table
+    if isinstance(table, bytearray):
+        return table + bytes(size - len(table))
     import numpy as np
 
     made = np.full(size, free, table.dtype) if free else np.zeros(size, table.dtype)

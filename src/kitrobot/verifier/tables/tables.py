@@ -101,6 +101,55 @@ class Graph(NamedTuple):
     calm: Row
 
 
+class StepBatch(NamedTuple):
+    """The steps out of states that follow each other, and what they come to (see `exploration.step_batches`).
+
+    Each worker has a region of the same length for its steps.
+
+    Attributes:
+        x, y: the key after each step.
+        places: its hash; of a new state then its place in the table.
+        targets: the number of the state after each step, or what is known of it.
+        taken: the progress classes of each step, by number.
+        begins, ends: of each state its first step and the end of its steps; an end of -1 where a worker left it out.
+        kinds: of each state the kinds of the events of its steps.
+        calm: whether a state is calm (see `Graph.calm`): 2 if no step leaves it.
+        own: of each worker the steps that are its own among some that follow each other.
+        sums: for each byte of a key 256 words, whose sums without carry are hashes that no layout changes; empty where
+            hashes are those of keys.
+    """
+
+    x: Row
+    y: Row
+    places: Row
+    targets: Row
+    taken: Row
+    begins: Row
+    ends: Row
+    kinds: Row
+    calm: Row
+    own: Row
+    sums: Row
+
+
+class StateFilter(NamedTuple):
+    """What an approximate search keeps of the states that it reached (see `exploration.state_filter`).
+
+    Attributes:
+        bits: a Bloom filter in blocks of 64 bytes.
+        births: of each state how many states were reached from it first, 255 for that many or more.
+        picks: of each state the place of the step that reached it first, among those of its state, modulo 256.
+        wide: of states with 255 births or more the number and how many, one after another.
+        counts: how many numbers of `wide` are used.
+    """
+
+    bits: Row
+    births: Row
+    picks: Row
+    wide: Row
+    counts: Row
+
+
 def find(keys: Row, key: int) -> int:
     """Where a key is in a table of open addressing, or the free place where it is missing."""
     last = len(keys) - 1

@@ -36,7 +36,9 @@ from kitrobot.verifier.tables.columns import (
     DOCKS,
     E_AGENT,
     E_OTHER,
+    IS_WORKER,
     MISS_A,
+    MISS_AS_WORKER,
     MOVE,
     MOVES,
     MULTIPLIER,
@@ -67,6 +69,9 @@ def intern_conf(t: Tables, road: int) -> int:
         if k == places:
             return slots[at] - 1
         at = at + 1 & last
+    if regs[IS_WORKER]:
+        regs[CODE] = MISS_AS_WORKER
+        return -1
     number = regs[CONFS]
     if (number + 1) * width > len(confs) or 2 * number >= len(slots):
         regs[CODE] = ROOM_CONFS
@@ -209,6 +214,9 @@ def fill_moves(t: Tables, conf: int) -> int:
     row = conf * fixed[CONF_WIDTH]
     road = confs[row + C_ROAD]
     bodies = row + C_STAND + fixed[DOCKS] + places
+    if regs[IS_WORKER]:
+        regs[CODE] = MISS_AS_WORKER
+        return -1
     first = regs[MOVES]
     if (first + places * WAYS_TO_MOVE) * MOVE > len(moves):
         regs[CODE] = ROOM_MOVES

@@ -20,7 +20,9 @@ from kitrobot.verifier.tables.columns import (
     I_ENDS,
     INSIDE_STRIDE,
     INSIDE_WIDTH,
+    IS_WORKER,
     LINE,
+    MISS_AS_WORKER,
     MOVE_SET,
     MULTIPLIER,
     NEXTS,
@@ -177,6 +179,9 @@ def intern_taken(t: Tables, ticks: int, begins: int, ends: int, zones: int, pass
         if same and taken[row + 3] == zones and taken[row + 4] == passed:
             return slots[at] - 1
         at = at + 1 & last
+    if regs[IS_WORKER]:
+        regs[CODE] = MISS_AS_WORKER
+        return -1
     number = regs[TAKEN]
     row = number * TAKEN_WIDTH
     if row + TAKEN_WIDTH > len(taken):

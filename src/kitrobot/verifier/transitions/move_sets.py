@@ -21,7 +21,9 @@ from kitrobot.verifier.tables.columns import (
     E_AGENT,
     E_KIND,
     E_MASK,
+    IS_WORKER,
     LOG,
+    MISS_AS_WORKER,
     MOVE,
     MOVE_SET,
     MOVE_SETS,
@@ -53,6 +55,9 @@ def fill_move_sets(t: Tables, conf: int) -> int:
     side. No robot waits that can begin to roll.
     """
     regs, fixed, pool = t.regs, t.fixed, t.pool
+    if regs[IS_WORKER]:
+        regs[CODE] = MISS_AS_WORKER
+        return -1
     width, conf_width = fixed[POOL_WIDTH], fixed[CONF_WIDTH]
     first, first_log = regs[MOVE_SETS], regs[LOG]
     for k in range(width):

@@ -20,6 +20,8 @@ from kitrobot.verifier.tables.columns import (
     E_AGENT,
     G_STOCK,
     HOUSES,
+    IS_WORKER,
+    MISS_AS_WORKER,
     OUTCOME,
     ROAD_FIELD,
     ROADS,
@@ -239,6 +241,9 @@ def intern_tick_set(t: Tables, who: int) -> int:
         regs[CODE] = TOO_MANY
         return -1
     if number == regs[TAKEN]:
+        if regs[IS_WORKER]:
+            regs[CODE] = MISS_AS_WORKER
+            return -1
         taken[number * TAKEN_WIDTH] = who
         regs[TAKEN] = number + 1
     return number

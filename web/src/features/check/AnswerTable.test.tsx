@@ -3,7 +3,7 @@ import { act } from "react";
 import { createRoot, type Root } from "react-dom/client";
 import { afterEach, beforeEach, expect, test } from "vitest";
 
-import type { VerifyColumnMessage } from "../../api/generated";
+import type { CheckedProperty, VerifyColumnMessage } from "../../api/generated";
 import { moreWords } from "../../i18n/words";
 import { growProgram, missionOf } from "../../model/testing/missions";
 import { AnswerTable } from "./AnswerTable";
@@ -27,6 +27,8 @@ function column(place: number, cut: Cut): VerifyColumnMessage {
     depth: 3,
     cut,
     seconds: 1,
+    is_approximate: false,
+    odds: null,
     properties: [{ name: "stock", sentence: "no box is lost", answer, ...rest, scenes: [], guilty: [], places: [] }],
   };
 }
@@ -88,4 +90,20 @@ test.each<[Cut, string, string | null]>([
 test("what was not come to has no time either", async () => {
   await shown(null);
   expect(at("check-verdict")).toContain("Give it more time.");
+});
+
+test("a rough search says what it found, how much it may have missed, and never that all holds", async () => {
+  await shown(null);
+  const rough = (odds: number, ...answers: CheckedProperty["answer"][]): VerifyColumnMessage => {
+    const whole = column(0, null);
+    const properties = answers.flatMap((answer) => whole.properties.map((one) => ({ ...one, answer, name: answer })));
+    return { ...whole, is_approximate: true, odds, properties };
+  };
+  act(() => useCheck.setState({ columns: [rough(1 / 512, "nothing found", "not decided")] }));
+  expect(at("answer-nothing found-lockstep-0")).toBe("nothing found");
+  expect(at("answer-not decided-lockstep-0")).toBe("not decided");
+  expect(at("odds-lockstep-0")).toBe("missed: at most 1 in 512");
+  expect(at("check-verdict")).toContain("never says that a property holds");
+  act(() => useCheck.setState({ columns: [rough(0.9, "nothing found")] }));
+  expect(at("odds-lockstep-0")).toBe("its memory was full: it missed most states");
 });

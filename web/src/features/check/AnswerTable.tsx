@@ -20,9 +20,19 @@ function detail(answer: CheckedProperty | undefined): string {
   return answer?.answer !== "broken" ? "" : stepsWords(answer);
 }
 
+/** How many states a rough search may have missed. */
+function oddsWords(odds: number): string {
+  if (odds > WORTHLESS) return t("check.odds-full");
+  return t("check.odds", { states: grouped(Math.round(1 / Math.max(odds, LEAST_ODDS))) });
+}
+
 function Mark({ shape }: { shape: Shape }) {
   return <span className="check-mark rigid" data-shape={shape} aria-hidden="true" />;
 }
+
+/** Odds from which on a rough search says next to nothing, and the smallest that are told. */
+const WORTHLESS = 0.5;
+const LEAST_ODDS = 1e-9;
 
 interface HeadProps {
   assumption: Assumption;
@@ -50,6 +60,11 @@ function Head({ assumption, column, now }: HeadProps) {
       {column === undefined || column.cut === null ? null : (
         <span className="check-means muted" data-testid={`cut-${timing}-${String(failures)}`}>
           {t(`check.cut-${column.cut}`)}
+        </span>
+      )}
+      {column === undefined || column.odds === null ? null : (
+        <span className="check-means muted" data-testid={`odds-${timing}-${String(failures)}`}>
+          {oddsWords(column.odds)}
         </span>
       )}
     </th>

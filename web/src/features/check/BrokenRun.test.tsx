@@ -76,6 +76,8 @@ async function shown(answer: CheckedProperty): Promise<void> {
         depth: 3,
         cut: null,
         seconds: 1,
+        is_approximate: false,
+        odds: null,
         properties: [answer],
       },
     ],

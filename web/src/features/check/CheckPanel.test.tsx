@@ -25,7 +25,18 @@ function answer(name: string, broken: boolean): CheckedProperty {
 
 function column(timing: VerifyColumnMessage["timing"]): VerifyColumnMessage {
   const properties = [answer("empty-storehouse", true), answer("deadlock", false)];
-  return { type: "column", timing, failures: 0, states: 9, depth: 3, cut: null, seconds: 1, properties };
+  return {
+    type: "column",
+    timing,
+    failures: 0,
+    states: 9,
+    depth: 3,
+    cut: null,
+    is_approximate: false,
+    odds: null,
+    seconds: 1,
+    properties,
+  };
 }
 
 let page: Mounted;

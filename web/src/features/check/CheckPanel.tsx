@@ -21,6 +21,8 @@ import "./check.css";
 
 const FAILURES = ["0", "1", "2", "3"];
 const SECONDS = ["10", "60", "300", "1800"];
+const EXACT = "exact";
+const ROUGH = "rough";
 const MEGA = 1_000_000;
 
 export function CheckPanel() {
@@ -70,13 +72,14 @@ function Asking() {
   const [failures, setFailures] = useState(() => String(asked?.failures ?? 0));
   const [kinds, setKinds] = useState(() => valueOf(asked?.kinds ?? USUAL));
   const [seconds, setSeconds] = useState(() => String(asked?.seconds ?? 60));
+  const [search, setSearch] = useState(() => (asked?.approximate === true ? ROUGH : EXACT));
   if (busy) return <Progress />;
   return (
     <form
       className="check-asking row wrap small-text"
       onSubmit={(event) => {
         event.preventDefault();
-        begin(readWhole(failures) ?? 0, kindsOf(kinds), readWhole(seconds) ?? 0);
+        begin(readWhole(failures) ?? 0, kindsOf(kinds), readWhole(seconds) ?? 0, search === ROUGH);
       }}
     >
       <Row label={t("check.failures")}>
@@ -100,6 +103,15 @@ function Asking() {
           value={seconds}
           options={SECONDS.map((one) => [one, t("check.seconds-of", { seconds: grouped(readWhole(one) ?? 0) })])}
           keep={setSeconds}
+        />
+      </Row>
+      <Row label={t("check.search")}>
+        <Select
+          label={t("check.search")}
+          testId="check-search"
+          value={search}
+          options={[EXACT, ROUGH].map((one) => [one, t(one === ROUGH ? "check.rough" : "check.exact")])}
+          keep={setSearch}
         />
       </Row>
       <Button icon="clipboard-check" type="submit" testId="check-begin" disabled={agents === 0}>

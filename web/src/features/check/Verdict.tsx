@@ -19,6 +19,7 @@ export function assumptionWords({ timing, failures }: Assumption): string {
 
 /** That nothing is broken as far as it was looked at, and what helps to look further. */
 function cutWords(columns: readonly VerifyColumnMessage[]): string {
+  if (columns.some((column) => column.is_approximate)) return t("check.rough-verdict");
   const why = columns.map(({ cut }) => cut).filter((cut) => cut !== null);
   const helps = why.includes("memory")
     ? t("check.less")
@@ -36,7 +37,7 @@ export function Verdict() {
   const planned = useCheck((check) => check.plan.length);
   const answers = columns.flatMap((column) => column.properties);
   const broken = new Set(answers.filter(({ answer }) => answer === "broken").map(({ name }) => name)).size;
-  const cut = answers.some(({ answer }) => answer === "not finished") || columns.length < planned;
+  const cut = answers.some(({ answer }) => answer !== "holds" && answer !== "vacuous") || columns.length < planned;
   if (asked === null || (busy && broken === 0)) return null;
   const words = broken > 0 ? t("check.broken-count", { count: broken }) : cut ? cutWords(columns) : t("check.all-hold");
   const most = asked.failures ?? 0;
@@ -48,7 +49,7 @@ export function Verdict() {
           icon="plus"
 
           testId="check-more-failures"
-          onClick={() => begin(most + 1, asked.kinds ?? USUAL, asked.seconds)}
+          onClick={() => begin(most + 1, asked.kinds ?? USUAL, asked.seconds, asked.approximate ?? false)}
         >
           {t("check.let-fail", { count: most + 1 })}
         </Button>

@@ -14,7 +14,8 @@ export interface Assumption {
 export const TIMINGS: readonly Timing[] = ["lockstep", "prompt", "free"];
 
 /** What an answer looks like: a shape and a word, never a hue. */
-export type Shape = "holds" | "broken" | "unconfirmed" | "cut" | "vacuous" | "running" | "waits" | "none";
+export type Shape =
+  "holds" | "broken" | "unconfirmed" | "cut" | "vacuous" | "nothing" | "undecided" | "running" | "waits" | "none";
 
 /** The assumptions with up to so many failures, from the fast to the thorough. */
 export function plan(failures: number): Assumption[] {
@@ -45,6 +46,10 @@ export function shapeOf(answer: CheckedProperty | undefined, busy: boolean, now:
       return answer.answer;
     case "not finished":
       return "cut";
+    case "nothing found":
+      return "nothing";
+    case "not decided":
+      return "undecided";
     case "broken":
       return answer.confirmed === null ? "unconfirmed" : "broken";
   }

@@ -69,11 +69,12 @@ function hangUp(): void {
   work = null;
 }
 
-/** Checks the open mission with up to so many failures of these kinds, for so many seconds at most. */
-export function begin(failures: number, kinds: Kinds, seconds: number): void {
+/** Checks the open mission with up to so many failures of these kinds, for so many seconds at most; exactly or not. */
+export function begin(failures: number, kinds: Kinds, seconds: number, approximate: boolean): void {
   hangUp();
   const { mission, file } = useStudio.getState();
-  const asked: Asked = { mission, path: file.path, seed: useRun.getState().seed, failures, kinds, seconds };
+  const { seed } = useRun.getState();
+  const asked: Asked = { mission, path: file.path, seed, failures, kinds, seconds, approximate };
   useCheck.setState({ ...NOTHING, asked, plan: plan(failures), busy: true });
   work = beginWork<Message>("api/verify", asked, {
     onMessage: (message) => {
