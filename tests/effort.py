@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from typing import TypeVar
 
 import hypothesis
@@ -14,9 +15,9 @@ THOROUGH = bool(os.environ.get("KITROBOT_THOROUGH"))
 Case = TypeVar("Case")
 
 
-def cases(usual: list[Case], more: list[Case]) -> list[Case]:
+def cases(usual: Sequence[Case], more: Sequence[Case]) -> list[Case]:
     """The cases that a test is tried on: the usual ones, in the thorough profile the others too."""
-    return [*usual, *more] if THOROUGH else usual
+    return [*usual, *(more if THOROUGH else ())]
 
 
 def examples(few: int, many: int = 0) -> int:
