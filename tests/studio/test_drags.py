@@ -113,6 +113,7 @@ def a_test_docks_in_a_slot_and_nests_in_the_hole_of_another(studio: Studio) -> N
     hole = choice.locator(".hole").first
     expect(hole).to_be_visible()
     settled(studio)
+    studio.expect_code("[ & ]();")
     before = studio.code()
     studio.drag(studio.page.locator("[data-testid='part-Cargo.IsPressed']"), hole)
     studio.expect_code("[Cargo.IsPressed() &")
