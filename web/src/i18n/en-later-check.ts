@@ -131,7 +131,7 @@ export const CHECK_EN = {
   "check.other-only": "From the moment that decided it, the model can also go this way:",
   "walk.title": "Step by hand",
   "walk.close": "Close the steps",
-  "walk.from-here": "Step by hand from before it was decided",
+  "walk.from-here": "Step by hand from there",
   "walk.timing": "Timing",
   "walk.state": "State {number}",
   "walk.back": "Back",
