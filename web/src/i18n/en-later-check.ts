@@ -17,7 +17,7 @@ export const CHECK_EN = {
   "check.seconds-of": "{seconds} s",
   "check.search": "Search",
   "check.exact": "thorough",
-  "check.rough": "rough, no proof",
+  "check.rough": "rough",
   "check.rough-verdict":
     "Nothing found. This search was rough: it looks at many more states, may miss some, and never says that a property holds. It cannot see what waits in vain.",
   "check.odds": "missed: at most 1 in {states}",

@@ -37,6 +37,7 @@ export function CheckPanel() {
         <div className="check-answers column">
           <Refused refused={refused} />
           {asked === null ? <p className="check-note check-what muted">{t("check.what")}</p> : <Answers />}
+          <WalkEntry />
           <Properties />
         </div>
         {walks ? (
@@ -46,6 +47,23 @@ export function CheckPanel() {
         ) : null}
       </div>
     </DockPanel>
+  );
+}
+
+/** The states of the mission one by one, as it is drawn now. */
+function WalkEntry() {
+  const agents = useStudio((studio) => studio.mission.agents.length);
+  return (
+    <p className="check-walk">
+      <Button
+        icon="step-forward"
+        testId="walk-begin"
+        disabled={agents === 0}
+        onClick={() => beginWalk({ timing: "free", failures: 0 })}
+      >
+        {t("walk.title")}
+      </Button>
+    </p>
   );
 }
 
@@ -116,14 +134,6 @@ function Asking() {
       </Row>
       <Button icon="clipboard-check" type="submit" testId="check-begin" disabled={agents === 0}>
         {asked === null ? t("check.begin") : t("check.again")}
-      </Button>
-      <Button
-        icon="step-forward"
-        testId="walk-begin"
-        disabled={agents === 0}
-        onClick={() => beginWalk({ timing: "free", failures: readWhole(failures) ?? 0 })}
-      >
-        {t("walk.title")}
       </Button>
       {agents === 0 ? <span className="check-note muted">{t("check.nobody")}</span> : null}
     </form>
