@@ -77,10 +77,10 @@ class CallReader:
         for port in node.ports:
             if port not in names:
                 message = Sentence("`{call}` has no port {port}", f"{part}.{method.name}", shown(port))
-                help = self._suggestions.did_you_mean(port, names) or (
+                port_help: Help = self._suggestions.did_you_mean(port, names) or (
                     Sentence("there is {known}", listed(names)) if names else ""
                 )
-                self.found.append(rules.NODE(message, node.places.get(port, node.place), help=help))
+                self.found.append(rules.NODE(message, node.places.get(port, node.place), help=port_help))
         return Call(part, method.name, [self.param(node, method, one) for one in method.parameters])
 
     def param(self, node: TreeNode, method: Method, parameter: Parameter) -> Param:

@@ -95,6 +95,8 @@ class _Translation:
             case Parallel() if node.branches:
                 branches = tuple(self.body(branch, in_loop=False) for branch in node.branches)
                 return [TreeNode("Parallel", {"failure_count": "1", "success_count": FOREVER}, branches)]
+            case Parallel():
+                return [TreeNode("Sleep", {"msec": "0"})]  # without branches it costs a tick, as WAIT(0) does
             case Break() if in_loop:
                 return [TreeNode("AlwaysFailure")]
             case Break():

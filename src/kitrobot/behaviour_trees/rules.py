@@ -8,15 +8,15 @@ FORM = rule(
     "tree-form",
     Severity.ERROR,
     "A behaviour tree is not built as BehaviorTree.CPP 4 builds it",
-    "The first element is `<root BTCPP_format=\"4\">`, `main_tree_to_execute` names the tree that runs where there are"
+    'The first element is `<root BTCPP_format="4">`, `main_tree_to_execute` names the tree that runs where there are'
     " several, and each node has as many nodes inside as its kind needs.",
 )
 NODE = rule(
     "tree-node",
     Severity.ERROR,
     "A node is no call of the robot",
-    "An action is a procedure of the robot, and a condition is one of its tests: `<Action ID=\"Wheel.Advance\""
-    " speed=\"50\"/>`. Ports have the names of the method's parameters, and hold whole numbers or values of the robot.",
+    'An action is a procedure of the robot, and a condition is one of its tests: `<Action ID="Wheel.Advance"'
+    ' speed="50"/>`. Ports have the names of the method\'s parameters, and hold whole numbers or values of the robot.',
 )
 MEANING = rule(
     "tree-meaning",

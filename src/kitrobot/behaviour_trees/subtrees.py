@@ -71,7 +71,11 @@ class _Expansion:
         tree = self.file.trees.get(name)
         if tree is None:
             near = nearest(name, self.file.trees)
-            help = Sentence("did you mean {near}?", near) if near else Sentence("there is {known}", listed(self.file.trees))
+            help = (
+                Sentence("did you mean {near}?", near)
+                if near
+                else Sentence("there is {known}", listed(self.file.trees))
+            )
             self.report(rules.FORM, Sentence("there is no tree {tree} in the file", shown(name)), place, help)
         elif name in inside:
             help = Sentence("put the <SubTree> into a <Repeat> in another tree")
@@ -87,7 +91,9 @@ class _Expansion:
             return text
         name = read[1] if read[1] != "=" else port
         if name not in values:
-            message = Sentence("{port} of <{node}> is read from the blackboard, and a program has none", port, node.name)
+            message = Sentence(
+                "{port} of <{node}> is read from the blackboard, and a program has none", port, node.name
+            )
             self.report(rules.MEANING, message, node.places.get(port, node.place), BLACKBOARD_HELP)
         return values.get(name, "")
 

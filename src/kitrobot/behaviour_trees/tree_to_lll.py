@@ -81,7 +81,7 @@ def tree_to_lll(file: TreeFile, robot: Robot) -> tuple[Seq, list[Diagnostic]]:
     except _DepthError:
         message = Sentence("expected at most {most} nodes inside one another, found one more", MAX_NESTING)
         return Seq(), [rules.SIZE(message, root.place, help=Sentence("make two trees of it, and two programs"))]
-    return program, in_reading_order(translation.found)
+    return Seq() if translation.found else program, in_reading_order(translation.found)
 
 
 class _Translation:
@@ -91,7 +91,9 @@ class _Translation:
         self.found = self.calls.found
         self.depth = 0
 
-    def refuse(self, node: TreeNode, message: Sentence, help: Help = "", port: str = "", rule: Rule = rules.MEANING) -> None:
+    def refuse(
+        self, node: TreeNode, message: Sentence, help: Help = "", port: str = "", rule: Rule = rules.MEANING
+    ) -> None:
         self.found.append(rule(message, node.places.get(port, node.place), help=help))
 
     @contextmanager
@@ -160,7 +162,9 @@ class _Translation:
         with self.level():
             if is_condition(node):
                 asked = self.condition(node)
-                return [Conditional(_negated(asked), Seq([Break()]))] if failure is _Failure.BREAK else []
+                if failure is _Failure.BREAK:
+                    return [Conditional(_negated(asked), Seq([Break()]))]
+                return [Conditional(asked, Seq())]
             if node.name in SEQUENCES:
                 return self.sequence(_flat(node, SEQUENCES), failure)
             if node.name in FALLBACKS:
@@ -201,7 +205,7 @@ class _Translation:
                 rest = nodes[at + len(asked) :]
                 with self.level():
                     body = self.sequence(rest, failure)
-                return [*made, Conditional(self.joined(asked), Seq(body))] if rest else made
+                return [*made, Conditional(self.joined(asked), Seq(body))]
             else:
                 self.refuse(
                     node,
@@ -222,10 +226,14 @@ class _Translation:
         inside = _flat(first, SEQUENCES) if first.name in SEQUENCES else []
         asked = _leading(inside)
         if not may_fail(first):
-            message = Sentence("{node} never fails, so what stands behind it in <Fallback> is never done", shown(first.name))
+            message = Sentence(
+                "{node} never fails, so what stands behind it in <Fallback> is never done", shown(first.name)
+            )
             self.refuse(first, message, refusals.ASK_FIRST)
         elif not asked or any(may_fail(node) for node in inside[len(asked) :]):
-            message = Sentence("<{node}> can fail after it has begun to act, and a program takes no other way then", first.name)
+            message = Sentence(
+                "<{node}> can fail after it has begun to act, and a program takes no other way then", first.name
+            )
             self.refuse(first, message, refusals.ASK_FIRST)
         else:
             with self.level():
@@ -277,11 +285,15 @@ class _Translation:
     def parallel(self, node: TreeNode) -> list[Instr]:
         count = str(len(node.children))
         if node.name == "Parallel" and node.ports.get("success_count", FOREVER).strip() not in (FOREVER, count):
-            message = Sentence("<Parallel> would stop branches before their end: expected success_count {expected}", FOREVER)
+            message = Sentence(
+                "<Parallel> would stop branches before their end: expected success_count {expected}", FOREVER
+            )
             self.refuse(node, message, Sentence("let each branch end by itself"), "success_count")
         for child in node.children:
             if may_fail(child):
-                message = Sentence("{node} can fail, and then <{parallel}> would fail too", shown(child.name), node.name)
+                message = Sentence(
+                    "{node} can fail, and then <{parallel}> would fail too", shown(child.name), node.name
+                )
                 self.refuse(child, message, Sentence("put it into <ForceSuccess>"))
         branches = [Seq(self.node(child, _Failure.IGNORED)) for child in node.children]
         return [Parallel([branch for branch in branches if branch.items])]
@@ -301,13 +313,16 @@ class _Translation:
 
     def number(self, node: TreeNode, port: str, text: str, unit: int) -> int:
         """A whole number of units in a port."""
+        help: Help
         most = MAX_NUMBER * unit
         if text.isascii() and text.isdigit() and len(text) <= 9 and int(text) <= most:
             if int(text) % unit == 0:
                 return int(text) // unit
             near = round(int(text) / unit) * unit
             message = Sentence("expected a multiple of {unit} in {attribute}, found {found}", unit, port, shown(text))
-            help = Sentence("write {number}: the robot `{robot}` waits in steps of {unit} ms", near, self.robot.name, unit)
+            help = Sentence(
+                "write {number}: the robot `{robot}` waits in steps of {unit} ms", near, self.robot.name, unit
+            )
         else:
             expected = Sentence("a whole number from {least} to {most}", 0, most)
             message = Sentence("expected {expected} in {attribute}, found {found}", expected, port, shown(text))
@@ -326,7 +341,9 @@ def _flat(node: TreeNode, kinds: Sequence[str]) -> list[TreeNode]:
     """
     made: list[TreeNode] = []
     for child in node.children:
-        opens = child.name in kinds and not is_condition(child) and (kinds is SEQUENCES or child is not node.children[-1])
+        opens = (
+            child.name in kinds and not is_condition(child) and (kinds is SEQUENCES or child is not node.children[-1])
+        )
         made += _flat(child, kinds) if opens else [child]
     return made
 

@@ -8,7 +8,7 @@ what nodes mean.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 from kitrobot.behaviour_trees import rules
@@ -32,7 +32,7 @@ _FOR_EDITORS = ("ID", "name", "_uid", "_description", "_fullpath")
 class _AnyElement(dict[str, Tag]):
     """A table of tags that holds the same tag for each name."""
 
-    def __init__(self, known: Mapping[str, Tag] = {}, other: Tag | None = None) -> None:  # noqa: B006 - it is copied
+    def __init__(self, known: Mapping[str, Tag] = {}, other: Tag | None = None) -> None:
         super().__init__(known)
         self.other = other
 
@@ -110,9 +110,7 @@ def _open_node(element: Element) -> None:
     reader = element.reader
     count = len(reader.own.setdefault("node", set()))
     if count >= MAX_NODES:
-        reader.stop(
-            rules.SIZE(Sentence("expected at most {most} nodes, found one more", MAX_NODES), element.place())
-        )
+        reader.stop(rules.SIZE(Sentence("expected at most {most} nodes, found one more", MAX_NODES), element.place()))
     reader.own["node"].add(element.start)
 
 
@@ -138,7 +136,9 @@ def _tree(element: Element) -> _Tree | None:
 
 def child_count_message(name: str, found: int, expected: object) -> Sentence:
     """That a node has another number of nodes inside than it needs."""
-    return Sentence("<{node}> has another number of nodes inside: expected {expected}, found {found}", name, expected, found)
+    return Sentence(
+        "<{node}> has another number of nodes inside: expected {expected}, found {found}", name, expected, found
+    )
 
 
 def _include(element: Element) -> None:
@@ -170,9 +170,8 @@ def _ignored(names: Iterable[str]) -> dict[str, Tag]:
 
 
 _ANY = {"ID": optional(), "name": optional()}
-_NODE = Tag(_node, _ANY, free_attributes=True, open=_open_node)
-_NODE = replace(_NODE, children=_AnyElement())
-_NODE.children.other = _NODE  # type: ignore[attr-defined] - a node holds nodes
+_NODES = _AnyElement()
+_NODE = _NODES.other = Tag(_node, _ANY, _NODES, free_attributes=True, open=_open_node)
 _METADATA = Tag(
     _first_call,
     children={"Metadata": Tag(lambda element: element.optional("kitrobot") or None, free_attributes=True)},
@@ -191,7 +190,7 @@ _MODELS = Tag(lambda element: _Models(element.found(_Model)), children=_AnyEleme
 _ROOT = Tag(
     attributes={"BTCPP_format": optional(), MAIN_TREE: optional(), "project_name": optional()},
     children={
-        "BehaviorTree": Tag(_tree, _ANY, _AnyElement(other=_NODE), free_attributes=True),
+        "BehaviorTree": Tag(_tree, _ANY, _NODES, free_attributes=True),
         "TreeNodesModel": _MODELS,
         "include": Tag(_include, free_attributes=True),
     },
