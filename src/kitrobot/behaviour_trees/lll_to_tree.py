@@ -101,7 +101,7 @@ class _Translation:
                 return [TreeNode("AlwaysFailure")]
             case Break():
                 message = Sentence("`{code}` outside a loop cannot be said in a behaviour tree", "BREAK")
-                return self.refuse(node, message, Sentence("let a <{construct}> decide what runs", "If"))
+                return self.refuse(node, message, Sentence("let a condition decide what is done behind it"))
             case Interrupt():
                 message = Sentence("a marked action cannot be said in a behaviour tree")
                 help = Sentence("take the ° away, and stop the action at its end")

@@ -78,7 +78,7 @@ class _Expansion:
             )
             self.report(rules.FORM, Sentence("there is no tree {tree} in the file", shown(name)), place, help)
         elif name in inside:
-            help = Sentence("put the <SubTree> into a <Repeat> in another tree")
+            help = Sentence("use a <Repeat>: a tree cannot hold itself")
             self.report(rules.MEANING, Sentence("the tree {tree} is inside itself", shown(name)), place, help)
         else:
             return self.node(tree, ports, (*inside, name), depth + 1)
