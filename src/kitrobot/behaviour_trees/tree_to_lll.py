@@ -2,7 +2,7 @@
 
 Actions never fail, so failures come from conditions alone. A node that may fail is translated for what its failure
 leads to: nothing (it is the last one), or the end of the loop around it (`BREAK`). Where a failure would lead anywhere
-else the tree is refused. [The decision](docs/decisions/behaviour-trees.md) says which trees these are, and why.
+else the tree is refused. docs/decisions/behaviour-trees.md says which trees these are, and why.
 """
 
 from __future__ import annotations
