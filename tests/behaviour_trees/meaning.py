@@ -174,7 +174,10 @@ def random_tree(rng: random.Random, depth: int = 4) -> TreeNode:
         inside = (_LEAVES["ask"],)
     elif name == "IfThenElse":
         inside = (_LEAVES["ask"], *inside[1:])
-    ports = {"Repeat": {"num_cycles": rng.choice(("-1", "0", "2", "3"))}, "RetryUntilSuccessful": {"num_attempts": "-1"}}
+    ports = {
+        "Repeat": {"num_cycles": rng.choice(("-1", "0", "2", "3"))},
+        "RetryUntilSuccessful": {"num_attempts": "-1"},
+    }
     return TreeNode(name, ports.get(name, {}), inside)
 
 

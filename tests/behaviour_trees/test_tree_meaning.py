@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import collections
 import random
+import re
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -25,14 +27,7 @@ from tests.strategies.programs import Maker
 
 ROBOT = load_catalogue([]).robots["mini-robot"]
 TREES = Path(__file__).parent / "trees"
-PROGRAMS = {
-    "gate": "[!(Captor.GreaterThan(40))]( Door.Open(); );\nWheel.DriveBy(25);\nDoor.Close();\n",
-    "rounds": "Count.Set(0);\n2*(\n  Wheel.DriveBy(30);\n  Motor.LeftBy(90);\n  Wheel.DriveBy(20);\n  Motor.LeftBy(90);\n"
-    "  Count.Add(1);\n);\n//(\n  Light.LightOn();\n  WAIT(4);\n  Light.LightOff();,\n  WAIT(2);\n  Motor.LeftBy(180);\n);\n",
-    "supply": "Level.Set(60);\n*[Level.GreaterThan(20)](\n  [Button.IsPressed()](\n    Switch.SwitchOn();\n  )!(\n"
-    "    [!(Light.IsGreen())](\n      Switch.SwitchOff();\n    )!(\n      Light.LightOn();\n    );\n  );\n"
-    "  Level.Sub(15);\n  WAIT(1);\n);\n[Level.LessThan(20)]( Level.Set(100); )!();\n",
-}
+DOCUMENT = Path(__file__).parents[2] / "docs" / "behaviour-trees.md"
 
 
 class TreeMaker(Maker):
@@ -44,18 +39,27 @@ class TreeMaker(Maker):
     def observe(self, *_: object) -> Instr:
         return self.action()
 
-    def leave(self, depth: int, in_loop: bool, in_parallel: bool) -> Instr:
+    def leave(self, *where: object) -> Instr:
+        _, in_loop, _ = where
         return Break() if in_loop else self.wait()
 
 
-@pytest.mark.parametrize("name", PROGRAMS)
+def program_of(data: bytes) -> str:
+    file, found = read_trees(data, "tree.xml")
+    assert file is not None, found
+    program, found = tree_to_lll(file, ROBOT)
+    assert found == []
+    return print_program(program)
+
+
+@pytest.mark.parametrize("name", ["gate", "rounds", "supply"])
 def test_a_file_becomes_its_program(name: str) -> None:
-    file, found = read_trees((TREES / f"{name}.xml").read_bytes(), f"{name}.xml")
-    assert (file is None, found) == (False, [])
-    assert file is not None
-    program, refused = tree_to_lll(file, ROBOT)
-    assert refused == []
-    assert print_program(program) == PROGRAMS[name]
+    assert program_of((TREES / f"{name}.xml").read_bytes()) == (TREES / f"{name}.lll").read_text()
+
+
+def test_the_tree_of_the_document_is_the_program_below_it() -> None:
+    tree, program = re.findall(r"```(?:xml|lll)\n(.*?)```", DOCUMENT.read_text(), re.DOTALL)
+    assert program_of(tree.encode()) == program
 
 
 @pytest.mark.parametrize("start", cases(range(0, 200, 100), range(200, 2000, 100)))
@@ -84,8 +88,8 @@ def test_a_tree_that_is_taken_calls_and_asks_what_its_program_does(start: int) -
             assert program == Seq(), seed
             continue
         for answers in range(3):
-            by_tree, tree_ended = events_of(lambda record, root=root: run_tree(root, record), answers)
-            by_program, ended = events_of(lambda record, program=program: run_program(program, record), answers)
+            by_tree, tree_ended = events_of(partial(run_tree, root), answers)
+            by_program, ended = events_of(partial(run_program, program), answers)
             if tree_ended and ended:
                 assert by_tree == by_program, seed
             else:

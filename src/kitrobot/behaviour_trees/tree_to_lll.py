@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
 from enum import Enum, auto
 
 from kitrobot.behaviour_trees import refusals, rules
 from kitrobot.behaviour_trees.calls import CallReader
+from kitrobot.behaviour_trees.known_nodes import KnownNodes
 from kitrobot.behaviour_trees.model import (
     COUNTS,
     FALLBACKS,
@@ -27,7 +27,6 @@ from kitrobot.behaviour_trees.model import (
     may_fail,
 )
 from kitrobot.behaviour_trees.subtrees import expand_subtrees
-from kitrobot.behaviour_trees.tree_xml import child_count_message
 from kitrobot.diagnostics.model import Diagnostic, Rule, in_reading_order
 from kitrobot.lll.tree import (
     MAX_NESTING,
@@ -47,11 +46,9 @@ from kitrobot.lll.tree import (
     Wait,
     While,
 )
-from kitrobot.primitives.robot import Kind, Robot
+from kitrobot.primitives.robot import Robot
 from kitrobot.text.phrases import shown
 from kitrobot.text.sentences import Help, Sentence
-
-_NOTHING = TreeNode("AlwaysSuccess")
 
 
 class _Failure(Enum):
@@ -73,7 +70,7 @@ def tree_to_lll(file: TreeFile, robot: Robot) -> tuple[Seq, list[Diagnostic]]:
     if found:
         return Seq(), in_reading_order(found)
     translation = _Translation(robot, file)
-    root = translation.known(root)
+    root = KnownNodes(translation.calls).node(root)
     if translation.found:
         return Seq(), in_reading_order(translation.found)
     try:
@@ -103,38 +100,6 @@ class _Translation:
             raise _DepthError
         yield
         self.depth -= 1
-
-    # -- which nodes there are
-
-    def known(self, node: TreeNode) -> TreeNode:
-        """The node with the role of each leaf; nodes that no program can say are reported."""
-        refusal = refusals.REFUSED.get(node.name)
-        if refusal is not None:
-            self.refuse(node, Sentence("<{node}> {reason}", node.name, refusal.reason), refusal.help)
-            return _NOTHING
-        if node.name not in refusals.CHILDREN:
-            meant = self.calls.method_of(node)
-            if meant is None:
-                self.calls.report_unknown(node)
-                return _NOTHING
-            return replace(node, role=node.role or ("Condition" if meant[1].kind is Kind.TEST else "Action"))
-        least, most = refusals.CHILDREN[node.name]
-        count = len(node.children)
-        if count < least or (most is not None and count > most):
-            expected = least if least == most else f"{least}–{most}" if most is not None else f"≥ {least}"
-            self.refuse(node, child_count_message(node.name, count, expected), rule=rules.FORM)
-            return _NOTHING
-        made = replace(node, children=tuple(self.known(child) for child in node.children))
-        if node.name.startswith("Reactive") and any(_takes_time(child, self.calls) for child in made.children):
-            reason = refusals.INTERRUPTION
-            self.refuse(node, Sentence("<{node}> {reason}", node.name, reason.reason), reason.help)
-        if node.name == "Inverter" and not is_condition(made.children[0]):
-            self.refuse(
-                node,
-                Sentence("<Inverter> turns the answer of a condition round, and there is an action in it"),
-                refusals.ASK_FIRST,
-            )
-        return made
 
     # -- conditions
 
@@ -354,13 +319,3 @@ def _leading(nodes: Sequence[TreeNode]) -> list[TreeNode]:
         if not is_condition(node):
             return [*nodes[:at]]
     return [*nodes]
-
-
-def _takes_time(node: TreeNode, calls: CallReader) -> bool:
-    """Whether a node may be RUNNING, so that a reactive node would ask again meanwhile."""
-    if node.name in (*LOOPS, *PARALLELS, "Sleep", "Delay", "RetryUntilSuccessful"):
-        return True
-    if node.role == "Action":
-        meant = calls.method_of(node)
-        return meant is not None and meant[1].completes_later
-    return any(_takes_time(child, calls) for child in node.children)
