@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from kitrobot.behaviour_trees.calls import call_ids
 from kitrobot.behaviour_trees.lll_to_tree import lll_to_tree
 from kitrobot.behaviour_trees.tree_to_lll import tree_to_lll
 from kitrobot.behaviour_trees.tree_writer import write_tree
@@ -100,6 +101,7 @@ TAKEN = {
     '<Control ID="Sequence"><Action ID="Flag.Set" value="true"/></Control>': "Flag.Set(1);\n",
     '<Wheel.Advance speed="Captor.Value()"/>': "Wheel.Advance(Captor.Value());\n",
     '<PenUp _description="up" name="x"/>': "Pen.PenUp();\n",
+    '<Wheel_Advance speed="7"/>': "Wheel.Advance(7);\n",
     '<Sleep msec="0"/>': "WAIT(0);\n",
 }
 
@@ -175,6 +177,7 @@ def test_what_no_tree_says_is_told_at_its_place(text: str, words: str) -> None:
 
 def test_the_palette_is_all_that_the_robot_does_and_is_asked() -> None:
     text = write_tree(lll_to_tree(parse("").program, ROBOT, parse("").source)[0], "main", ROBOT)
-    assert '<Action ID="Motor.Stop"/>' in text
-    assert '<Condition ID="Captor.LessThan">\n      <input_port name="value" type="int"' in text
+    assert '<Action ID="Motor_Stop">\n      <MetadataFields><Metadata kitrobot="Motor.Stop"/>' in text
+    assert '<Condition ID="Captor_LessThan">\n      <input_port name="value" type="int"' in text
     assert "Captor.Value" not in text
+    assert len(set(call_ids(ROBOT).values())) == len(ROBOT.calls)

@@ -1,7 +1,7 @@
 """Actions and conditions of a tree as calls of the robot: `<Action ID="Wheel.Advance" speed="50"/>` is
 `Wheel.Advance(50)`.
 
-An ID is a call of the robot, or the name of a method that one part alone has, or its model says which call it is
+An ID is a call of the robot (or the form of one that is written, `Wheel_Advance`), or the name of a method that one part alone has, or its model says which call it is
 (`<Metadata kitrobot="Wheel.Advance"/>`). A port holds a whole number, `true` or `false`, or a value or a test of the
 robot as LLL writes it (`Captor.Value()`).
 """
@@ -26,6 +26,19 @@ _LONGEST_VALUE = 200
 _TRUTHS = {"true": 1, "false": 0}
 
 
+def call_ids(robot: Robot) -> dict[tuple[str, str], str]:
+    """The ID that a tree is given for each call of a robot: Groot2 takes letters, digits and `_` alone."""
+    ids: dict[tuple[str, str], str] = {}
+    taken: set[str] = set()
+    for part, method in robot.calls:
+        name = f"{part}_{method}"
+        while name in taken:
+            name += "_"
+        taken.add(name)
+        ids[part, method] = name
+    return ids
+
+
 class CallReader:
     """Makes calls of a robot of leaves; `found` is what is wrong with them."""
 
@@ -34,12 +47,13 @@ class CallReader:
         self.models = models
         self.found: list[Diagnostic] = []
         self._suggestions = Suggestions()
+        self._by_id = {name: call for call, name in call_ids(robot).items()}
 
     def method_of(self, node: TreeNode) -> tuple[str, Method] | None:
         """The object and the method that a leaf calls; None for none of the robot."""
         model = self.models.get(node.name)
         name = model.call if model is not None and model.call else node.name
-        part, _, method = name.partition(".")
+        part, method = self._by_id.get(name) or name.partition(".")[::2]
         found = self.robot.calls.get((part, method))
         if found is not None:
             return part, found[1]

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kitrobot.behaviour_trees import rules
+from kitrobot.behaviour_trees.calls import call_ids
 from kitrobot.behaviour_trees.model import COUNTS, FOREVER, TreeNode, may_fail
 from kitrobot.diagnostics.model import Diagnostic, Source
 from kitrobot.lll.printer import print_template
@@ -55,6 +56,7 @@ class _Translation:
         self.robot = robot
         self.source = source
         self.name = name
+        self.ids = call_ids(robot)
         self.found: list[Diagnostic] = []
 
     def refuse(self, node: Node, message: Sentence, help: Help = "") -> list[TreeNode]:
@@ -111,7 +113,8 @@ class _Translation:
     def action(self, call: Call) -> list[TreeNode]:
         meant = self.robot.calls.get((call.object, call.method))
         if meant is not None and meant[1].kind is not Kind.PROCEDURE:
-            message = Sentence("`{call}` as an instruction cannot be said in a behaviour tree", _id(call))
+            name = f"{call.object}.{call.method}"
+            message = Sentence("`{call}` as an instruction cannot be said in a behaviour tree", name)
             return self.refuse(call, message, Sentence("take it away: it does nothing"))
         return [self.leaf(call, "Action")]
 
@@ -119,7 +122,7 @@ class _Translation:
         meant = self.robot.calls.get((call.object, call.method))
         names = [one.name for one in meant[1].parameters] if meant is not None else []
         ports = {name: _written(param) for name, param in zip(names, call.params, strict=False)}
-        return TreeNode(_id(call), ports, (), role)
+        return TreeNode(self.ids.get((call.object, call.method), ""), ports, (), role)
 
     def conditional(self, node: Conditional, in_loop: bool, bare: bool) -> TreeNode:
         if node.orelse is not None:
@@ -162,10 +165,6 @@ class _Translation:
         if isinstance(node, Not):
             return self.condition(node.condition)
         return TreeNode("Inverter", {}, (self.condition(node),))
-
-
-def _id(call: Call) -> str:
-    return f"{call.object}.{call.method}"
 
 
 def _written(param: Node) -> str:

@@ -36,6 +36,7 @@ REFUSED = {
     **dict.fromkeys((f"Loop{kind}" for kind in ("Int", "Double", "String", "Bool")), BLACKBOARD),
     **dict.fromkeys(("WhileDoElse", "Timeout"), INTERRUPTION),
     "ForceFailure": FAILURE,
+    **dict.fromkeys(("TryCatch", "Finally", "LatchedSequence", "LatchedFallback"), OTHER),
     **dict.fromkeys(("SequenceWithMemory", "SequenceStar", "RunOnce", "ManualSelector", "TestNode"), OTHER),
 }
 CHILDREN = {

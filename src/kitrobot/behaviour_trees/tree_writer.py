@@ -1,11 +1,12 @@
 """Writing a behaviour tree, and the robot's calls as the palette of Groot2.
 
 Each leaf is written with its category (`<Action ID="…">`), so that every reader knows it; `TreeNodesModel` holds all
-procedures and tests of the robot with their ports.
+procedures and tests of the robot with their ports, and says which call each stands for.
 """
 
 from __future__ import annotations
 
+from kitrobot.behaviour_trees.calls import call_ids
 from kitrobot.behaviour_trees.model import MAIN_TREE, TreeNode
 from kitrobot.primitives.robot import Kind, Robot
 from kitrobot.xml.writer import attributes
@@ -18,14 +19,17 @@ def write_tree(root: TreeNode, name: str, robot: Robot) -> str:
     lines.append(f"  <BehaviorTree{attributes(('ID', name))}>")
     _write_node(root, "    ", lines)
     lines += ["  </BehaviorTree>", "  <TreeNodesModel>"]
+    ids = call_ids(robot)
     for (part, method), (_, meant) in robot.calls.items():
         if meant.kind is not Kind.VALUE:
-            ports = [
+            inside = [
                 f"      <input_port{attributes(('name', one.name), ('type', 'int'), ('default', one.default))}/>"
                 for one in meant.parameters
             ]
+            call = f"<Metadata{attributes(('kitrobot', f'{part}.{method}'))}/>"
+            inside.append(f"      <MetadataFields>{call}</MetadataFields>")
             role = "Condition" if meant.kind is Kind.TEST else "Action"
-            _write_element(f"{role}{attributes(('ID', f'{part}.{method}'))}", role, ports, "    ", lines)
+            _write_element(f"{role}{attributes(('ID', ids[part, method]))}", role, inside, "    ", lines)
     return "\n".join([*lines, "  </TreeNodesModel>", "</root>", ""])
 
 
