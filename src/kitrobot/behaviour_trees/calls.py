@@ -1,9 +1,9 @@
 """Actions and conditions of a tree as calls of the robot: `<Action ID="Wheel.Advance" speed="50"/>` is
 `Wheel.Advance(50)`.
 
-An ID is a call of the robot (or the form of one that is written, `Wheel_Advance`), or the name of a method that one part alone has, or its model says which call it is
-(`<Metadata kitrobot="Wheel.Advance"/>`). A port holds a whole number, `true` or `false`, or a value or a test of the
-robot as LLL writes it (`Captor.Value()`).
+An ID is a call of the robot, or the form of one that is written (`Wheel_Advance`), or the name of a method that one
+part alone has, or its model says which call it is (`<Metadata kitrobot="Wheel.Advance"/>`). A port holds a whole
+number, `true` or `false`, or a value or a test of the robot as LLL writes it (`Captor.Value()`).
 """
 
 from __future__ import annotations
