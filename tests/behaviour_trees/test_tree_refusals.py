@@ -101,6 +101,10 @@ TAKEN = {
     '<Control ID="Sequence"><Action ID="Flag.Set" value="true"/></Control>': "Flag.Set(1);\n",
     '<Wheel.Advance speed="Captor.Value()"/>': "Wheel.Advance(Captor.Value());\n",
     '<PenUp _description="up" name="x"/>': "Pen.PenUp();\n",
+    f'<Repeat num_cycles="2"><Fallback><Sequence>{ASK}{ACT}</Sequence>{ASK}<Light.IsRed/></Fallback></Repeat>': (
+        "2*(\n  [Button.IsPressed()](\n    Wheel.Stop();\n  )!(\n"
+        "    [!(Button.IsPressed() | Light.IsRed())]( BREAK; );\n  );\n);\n"
+    ),
     '<Wheel_Advance speed="7"/>': "Wheel.Advance(7);\n",
     '<Sleep msec="0"/>': "WAIT(0);\n",
 }

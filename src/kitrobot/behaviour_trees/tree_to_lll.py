@@ -126,10 +126,7 @@ class _Translation:
         """The instructions of a node: behind them it has ended with success, or its failure is of no interest."""
         with self.level():
             if is_condition(node):
-                asked = self.condition(node)
-                if failure is _Failure.BREAK:
-                    return [Conditional(_negated(asked), Seq([Break()]))]
-                return [Conditional(asked, Seq())]
+                return [_asked_only(self.condition(node), failure)]
             if node.name in SEQUENCES:
                 return self.sequence(_flat(node, SEQUENCES), failure)
             if node.name in FALLBACKS:
@@ -185,6 +182,8 @@ class _Translation:
             return self.node(first, failure)
         if is_condition(first):
             asked = _leading(nodes)
+            if len(asked) == len(nodes):
+                return [_asked_only(self.joined(asked, Or), failure)]
             with self.level():
                 then = self.fallback(nodes[len(asked) :], failure)
             return [Conditional(_negated(self.joined(asked, Or)), Seq(then))]
@@ -294,6 +293,13 @@ class _Translation:
             help = Sentence("{forever} is for ever", FOREVER) if node.name in COUNTS else ""
         self.refuse(node, message, help, port, rules.FORM)
         return 0
+
+
+def _asked_only(asked: Condition, failure: _Failure) -> Conditional:
+    """A question behind which nothing is done but what its failure leads to."""
+    if failure is _Failure.BREAK:
+        return Conditional(_negated(asked), Seq([Break()]))
+    return Conditional(asked, Seq())
 
 
 def _negated(condition: Condition) -> Condition:
