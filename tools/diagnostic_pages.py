@@ -21,6 +21,7 @@ ROOMS = {
     "lll": "The text of a program",
     "xml": "XML files",
     "primitives": "Constructors, robots and own parts",
+    "behaviour_trees": "Behaviour trees",
     "world": "Worlds",
     "tutorial": "Tutorials",
     "exercise": "Exercises",

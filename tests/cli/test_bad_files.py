@@ -23,6 +23,8 @@ READS = {
         for kind in ("robot", "constructors", "world", "tutorial", "exercise")
     },
     **{f"convert {form}": ("convert", f"bad.{form}", "out.kra", *ROBOT) for form in FORMS},
+    "check behaviour tree": ("check", "bad.xml", *ROBOT),
+    "convert behaviour tree": ("convert", "bad.xml", "out.kra", *ROBOT),
     "check robot of a text": ("check", "good.lll", "--robot", "bad.robot.xml"),
     "format": ("format", "bad.lll"),
     "format --write": ("format", "--write", "bad.lll"),

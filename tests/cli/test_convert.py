@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import itertools
+from pathlib import Path
 
 import pytest
 
 from tests.cli.conftest import EXAMPLE, LLL, MISTAKEN
 
-FORMS = ("krt", "lll", "kri", "kra")
+FORMS = ("krt", "lll", "kri", "kra", "xml")
 OPEN = {
     ("krt", "lll"),
     ("krt", "kri"),
@@ -18,13 +19,16 @@ OPEN = {
     ("lll", "kra"),
     ("kri", "kra"),
     ("kra", "kri"),
+    ("krt", "xml"),
+    ("lll", "xml"),
+    *(("xml", form) for form in ("krt", "lll", "kri", "kra")),
 }
 
 
 @pytest.fixture
 def all_forms(kitrobot, program, here):
-    """`drive` in all four forms."""
-    for form in ("krt", "kri", "kra"):
+    """`drive` in all forms."""
+    for form in ("krt", "kri", "kra", "xml"):
         assert kitrobot("convert", program, f"drive.{form}", "--robot", "mini-robot").status == 0
     return here
 
@@ -277,3 +281,51 @@ def test_a_recording_becomes_an_mcap_file_and_nothing_else(kitrobot, here):
     (here / "run.krtrace").write_bytes(b"KRTRACE\n" + b"x" * 100)
     assert "run.krtrace" in kitrobot("convert", "run.krtrace", "y.mcap").err
     assert not (here / "y.mcap").exists()
+
+
+TREES = Path(__file__).parents[1] / "behaviour_trees" / "trees"
+
+
+@pytest.mark.parametrize("name", ["gate", "rounds", "supply"])
+def test_a_behaviour_tree_becomes_a_mission_that_runs_is_proved_and_goes_back(kitrobot, here, name):
+    tree = TREES / f"{name}.xml"
+    assert kitrobot("check", tree, "--robot", "mini-robot").status == 0
+    assert kitrobot("convert", tree, "m.krt", "--robot", "mini-robot").status == 0
+    assert kitrobot("run", "m.krt", "--seconds", "20", "--json").json["outcome"] == "done"
+    assert kitrobot("verify", "m.krt", "--property", "deadlock").status == 0
+    assert kitrobot("convert", "m.krt", "again.xml").status == 0
+    for source, target in ((tree, "first.kri"), ("again.xml", "second.kri")):
+        assert kitrobot("convert", source, target, "--robot", "mini-robot").status == 0
+    assert (here / "first.kri").read_bytes() == (here / "second.kri").read_bytes()
+
+
+def test_a_behaviour_tree_needs_a_robot(kitrobot, here):
+    said = kitrobot("convert", TREES / "gate.xml", "x.krt")
+    assert said.status == 1
+    assert "a behaviour tree does not say which robot it is for" in said.err
+    assert "only the syntax was checked" in kitrobot("check", TREES / "gate.xml").err
+
+
+def test_a_tree_that_no_program_says_is_told_at_its_line_and_nothing_is_written(kitrobot, here):
+    text = (TREES / "gate.xml").read_text().replace("Fallback", "ReactiveFallback")
+    (here / "bad.xml").write_text(text)
+    for command in (("convert", "bad.xml", "x.krt"), ("check", "bad.xml")):
+        said = kitrobot(*command, "--robot", "mini-robot")
+        assert said.status == 1
+        assert "bad.xml:6:7: error: <ReactiveFallback> stops what is under way" in said.err + said.out
+    assert not (here / "x.krt").exists()
+
+
+def test_a_part_of_a_program_that_no_tree_says_is_told_with_its_vertex(kitrobot, here):
+    (here / "race.lll").write_text("//(<Button.IsPressed()>();, °Wheel.Advance(50)°;);")
+    said = kitrobot("convert", "race.lll", "x.xml", "--robot", "mini-robot")
+    assert (said.status, "race.lll:1:29: error: a marked action" in said.err) == (1, True)
+    kitrobot("convert", "race.lll", "race.krt", "--robot", "mini-robot")
+    said = kitrobot("convert", "race.krt", "x.xml")
+    assert (said.status, "a marked action" in said.err, "race.krt" in said.err) == (1, True, True), said
+    assert not (here / "x.xml").exists()
+
+
+def test_the_program_of_a_team_becomes_no_tree(kitrobot, here):
+    said = kitrobot("convert", EXAMPLE.parents[1] / "convoy" / "convoy.krt", "x.xml", "--program", "convoy")
+    assert said.status == 1

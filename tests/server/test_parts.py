@@ -199,9 +199,10 @@ class TestFiles:
             (b"<robot name='caf\xe9'/>", "cannot be read"),
             (b"<svg/>", "begins with <svg>"),
             (SHORT.encode(), "is a mission"),
+            (b'<root BTCPP_format="4"/>', "is a behaviour tree"),
             (b"<robot name='rover'/>" + b" " * 5_000_000, "larger than 4 MB"),
         ],
-        ids=["picture", "empty", "cut off", "entities", "deep", "latin-1", "svg", "mission", "large"],
+        ids=["picture", "empty", "cut off", "entities", "deep", "latin-1", "svg", "mission", "behaviour tree", "large"],
     )
     def test_what_holds_no_parts_is_refused_and_nothing_changes(self, page, folder, data, says):
         before = sorted(folder.iterdir())

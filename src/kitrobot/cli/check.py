@@ -20,7 +20,9 @@ def check_files(
     ],
     robot: Annotated[
         str | None,
-        typer.Option(metavar="NAME|FILE.robot.xml", help="The robot that the LLL texts are for.", show_default=False),
+        typer.Option(
+            metavar="NAME|FILE.robot.xml", help="The robot that LLL texts and trees are for.", show_default=False
+        ),
     ] = None,
     board: Annotated[
         str | None,
@@ -36,9 +38,9 @@ def check_files(
     """Show every problem of the files, each with its place and a way out.
 
     Kinds: `.krt`, `.lll`, `.kri`, `.kra`, files with a mission inside (`.svg`, `.png`, `.pdf`, `.hex`, `.uf2`), XML of
-    robots, kits, constructors and worlds. Of an `.lll` without `--robot` only the syntax is checked. The exit status is
-    1 if there is an error, and 0 if there are only warnings and hints. With --board it is 1 when a program cannot be
-    sent.
+    robots, kits, constructors, worlds and behaviour trees. Of an `.lll` and a tree without `--robot` only the syntax is
+    checked. The exit status is 1 if there is an error, and 0 if there are only warnings and hints. With --board it is 1
+    when a program cannot be sent.
     """
     from kitrobot.diagnostics.problems import with_help, written_out
     from kitrobot.diagnostics.renderer import to_json

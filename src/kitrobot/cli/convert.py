@@ -20,20 +20,21 @@ def convert_file(
     ] = None,
     robot: Annotated[
         str | None,
-        typer.Option(metavar="NAME|FILE.robot.xml", help="The robot of an LLL text, or of a team's program."),
+        typer.Option(metavar="NAME|FILE.robot.xml", help="The robot of an LLL text or a tree, or of a team's program."),
     ] = None,
 ) -> None:
     """Turn a program or a recording into another form; the endings of the names say which.
 
-    - `.krt` mission (graphs) → `.lll`, `.kri`, `.kra`
-    - `.lll` LLL text → `.krt`, `.kri`, `.kra`
+    - `.krt` mission (graphs) → `.lll`, `.kri`, `.kra`, `.xml`
+    - `.lll` LLL text → `.krt`, `.kri`, `.kra`, `.xml`
+    - `.xml` behaviour tree of BehaviorTree.CPP 4 → `.krt`, `.lll`, `.kri`, `.kra`
     - `.svg`, `.png`, `.pdf`, `.hex`, `.uf2` file with a mission inside → `.krt`, `.lll`, `.kri`, `.kra`
     - `.kri` image → `.kra`
     - `.kra` three-address listing → `.kri`, byte for byte the image that was listed
     - `.krtrace` recording → `.mcap`, for Foxglove, PlotJuggler and ROS 2
 
-    A text becomes a mission that runs at once: its program, and one agent `robot-1` that runs it in the empty world.
-    Nothing is written when the program has errors.
+    A text or a tree becomes a mission that runs at once: its program, and one agent `robot-1` that runs it in the empty
+    world. Nothing is written when the program has errors.
     """
     from kitrobot.workspace.conversion import convert
     from kitrobot.workspace.recording_export import export_recording, is_export

@@ -16,6 +16,7 @@ class Form(StrEnum):
     TEXT = ".lll"
     IMAGE = ".kri"
     LISTING = ".kra"
+    TREE = ".xml"
 
     @property
     def words(self) -> str:
@@ -28,6 +29,7 @@ _WORDS = {
     Form.TEXT: Sentence("LLL text"),
     Form.IMAGE: Sentence("image for a robot"),
     Form.LISTING: Sentence("three-address listing"),
+    Form.TREE: Sentence("behaviour tree (BehaviorTree.CPP 4)"),
 }
 
 

@@ -1,6 +1,9 @@
 """Conversion of a program from one form into another, by the endings of the files' names.
 
-    .krt → .lll .kri .kra      .lll → .krt .kri .kra      .kri → .kra      .kra → .kri
+    .krt → .lll .kri .kra .xml      .lll → .krt .kri .kra .xml      .xml → .krt .lll .kri .kra
+    .kri → .kra                     .kra → .kri
+
+An `.xml` is a behaviour tree.
 
 A picture of the studio that carries a mission (.svg, .png, .pdf) converts to whatever a `.krt` converts to, and to the
 `.krt` itself; only the studio makes pictures.
@@ -36,6 +39,7 @@ from kitrobot.mission.writer import save
 from kitrobot.primitives.catalogue import load_catalogue
 from kitrobot.primitives.robot import Robot
 from kitrobot.text.sentences import Sentence
+from kitrobot.workspace.behaviour_trees import open_tree, tree_file
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
 from kitrobot.workspace.mission_loader import OpenMission, mission_of, open_mission, retarget
 from kitrobot.workspace.robots import find_robot
@@ -95,7 +99,7 @@ def convert(source: Path, target: Path, *, program: str | None = None, robot: st
         target: the file to write.
         program: which program of a mission with several; or what to call the one that is made for a mission. A mission
             that is taken out of a picture keeps them all.
-        robot: the robot's name or file; needed for an LLL text, and in place of the mission's own otherwise.
+        robot: the robot's name or file; needed for an LLL text and a tree, and in place of the mission's own otherwise.
             Of a program of a team, the kind of robot for which it is wanted.
 
     Raises:
@@ -135,7 +139,7 @@ def convert(source: Path, target: Path, *, program: str | None = None, robot: st
         made = _out_of_picture(source)
     elif form is Form.MISSION:
         made = _from_mission(source, wanted, program, robot)
-    elif form is Form.TEXT:
+    elif form in (Form.TEXT, Form.TREE):
         made = _from_text(source, target, wanted, program, robot)
     else:
         made = _from_image(source, form)
@@ -160,6 +164,11 @@ def _from_mission(source: Path, wanted: Form, name: str | None, robot: str | Non
     if any(item.is_error for item in found):
         return _ConvertedProgram(None, found, opened.sources)
     program = opened.program(name)
+    if program.level.is_team and wanted is Form.TREE:
+        raise ConversionError(
+            Sentence("`{program}` is the program of a team, and a behaviour tree is that of one robot", program.name),
+            Sentence("choose the program of one robot"),
+        )
     if program.level.is_team and robot is not None:
         return _for_kind(opened, program, robot, wanted)
     if robot is not None:
@@ -170,6 +179,12 @@ def _from_mission(source: Path, wanted: Form, name: str | None, robot: str | Non
         found += translation.diagnostics
         found += check_program(translation.program, target, opened.catalogue.crew, text, program.name)
         data = text.text.encode() if translation.ok else None
+    elif wanted is Form.TREE:
+        kind = robot_of(program, opened.catalogue)
+        compiled = compile_program(program, opened.catalogue)
+        found += compiled.diagnostics
+        data, refused = tree_file(compiled.program, kind, compiled.source, program.name) if compiled.ok else (None, [])
+        found += refused
     else:
         robot_of(program, opened.catalogue)
         compiled = compile_program(program, opened.catalogue)
@@ -190,23 +205,39 @@ def _for_kind(opened: OpenMission, program: Program, robot: str, wanted: Form) -
 
 
 def _from_text(source: Path, target: Path, wanted: Form, name: str | None, word: str | None) -> _ConvertedProgram:
+    """What an LLL text or a behaviour tree becomes."""
+    is_tree = form_of(source) is Form.TREE
     if word is None:
+        silent = Sentence("a behaviour tree") if is_tree else Sentence("an LLL text")
         raise ConversionError(
-            Sentence("an LLL text does not say which robot it is for"),
+            Sentence("{form} does not say which robot it is for", silent),
             Sentence("name the robot with --robot, a name or a `.robot.xml`"),
         )
     robot = find_robot(word, source.parent)
-    text = Source(str(source), read_text(source))
-    if wanted is not Form.MISSION:
+    if is_tree:
+        read = open_tree(source, robot)
+        text, found, sources = read.text, read.diagnostics, read.sources
+        if text is None:
+            return _ConvertedProgram(None, found, sources)
+    else:
+        text, found = Source(str(source), read_text(source)), []
+        sources = (text,)
+    if wanted in (Form.IMAGE, Form.LISTING):
         compiled = compile_text(text.text, robot, text.name)
-        return _ConvertedProgram(_image_data(compiled.image, wanted), compiled.diagnostics, (text,))
+        return _ConvertedProgram(_image_data(compiled.image, wanted), found + compiled.diagnostics, sources)
     parsed = parse(text.text, text.name)
-    found = parsed.diagnostics + check(parsed.program, robot, text)
+    found += parsed.diagnostics + check(parsed.program, robot, text)
     if any(item.is_error for item in found):
-        return _ConvertedProgram(None, found, (text,))
+        return _ConvertedProgram(None, found, sources)
+    name = name or _program_name(target)
+    if wanted is Form.TEXT:
+        return _ConvertedProgram(text.text.encode(), found, sources)
+    if wanted is Form.TREE:
+        data, refused = tree_file(parsed.program, robot, text, name)
+        return _ConvertedProgram(data, found + refused, sources)
     catalogue = load_catalogue([source.parent])
-    program = lll_to_graph(parsed.program, robot, catalogue, name or _program_name(target))
-    return _ConvertedProgram(None, found + _robot_elsewhere(robot, target), (text,), mission_of(program))
+    program = lll_to_graph(parsed.program, robot, catalogue, name)
+    return _ConvertedProgram(None, found + _robot_elsewhere(robot, target), sources, mission_of(program))
 
 
 def _from_image(source: Path, form: Form) -> _ConvertedProgram:
@@ -241,8 +272,9 @@ def _program_name(target: Path) -> str:
 
 
 _WAYS = {
-    Form.MISSION: (Form.TEXT, Form.IMAGE, Form.LISTING),
-    Form.TEXT: (Form.MISSION, Form.IMAGE, Form.LISTING),
+    Form.MISSION: (Form.TEXT, Form.IMAGE, Form.LISTING, Form.TREE),
+    Form.TEXT: (Form.MISSION, Form.IMAGE, Form.LISTING, Form.TREE),
+    Form.TREE: (Form.MISSION, Form.TEXT, Form.IMAGE, Form.LISTING),
     Form.IMAGE: (Form.LISTING,),
     Form.LISTING: (Form.IMAGE,),
 }

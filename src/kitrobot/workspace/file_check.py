@@ -1,5 +1,5 @@
 """Every problem of a file of any kind: missions, LLL texts, images, listings, and XML of robots, kits, constructors,
-worlds, tutorials, exercises.
+worlds, tutorials, exercises, behaviour trees.
 
 The kind follows from the ending or, for XML, from the first element. A file that cannot be read is a problem like the
 others, so the check of many files continues after it.
@@ -25,6 +25,7 @@ from kitrobot.primitives.robot import Robot
 from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.text.sentences import Sentence
 from kitrobot.tutorial.tutorial_xml import read_tutorial
+from kitrobot.workspace.behaviour_trees import TREE_ELEMENT, tree_problems
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
 from kitrobot.workspace.kit_files import wiring_problems
 from kitrobot.workspace.mission_loader import open_mission
@@ -36,7 +37,8 @@ UNKNOWN_KIND = rule(
     Severity.ERROR,
     "A file is of no kind that is known here",
     "Known are `.krt`, `.lll`, `.kri`, `.kra`, files with a mission inside (`.svg`, `.png`, `.pdf`, `.hex`, `.uf2`),"
-    " and XML whose first element is <robot>, <board>, <constructors>, <world>, <tutorial>, <exercise> or <kitrobot>.",
+    " and XML whose first element is <robot>, <board>, <constructors>, <world>, <tutorial>, <exercise>, <kitrobot>, or"
+    " <root> of a behaviour tree.",
 )
 UNUSABLE = rule(
     "image-unusable",
@@ -92,7 +94,7 @@ def _check(path: Path, robot: Robot | None) -> FileReport:
         case ".kri" | ".kra":
             return _image(path)
         case ".xml":
-            return _xml(path)
+            return _xml(path, robot)
     ending = Sentence("the ending `{suffix}`", path.suffix) if path.suffix else Sentence("no ending")
     read_bytes(path)
     return FileReport(
@@ -110,8 +112,18 @@ def _text(path: Path, robot: Robot | None) -> FileReport:
     source = Source(str(path), decode(read_bytes(path), path))
     if robot is not None:
         return FileReport(path, tuple(compile_text(source.text, robot, source.name).diagnostics), (source,))
-    note = Sentence("{path}: only the syntax was checked; what its names mean depends on the robot (--robot)", path)
-    return FileReport(path, tuple(parse_any(source.text, source.name).diagnostics), (source,), (note,))
+    return FileReport(path, tuple(parse_any(source.text, source.name).diagnostics), (source,), (_syntax_only(path),))
+
+
+def _tree(
+    data: bytes, name: str, robot: Robot | None
+) -> tuple[tuple[Diagnostic, ...], tuple[Source, ...], tuple[str, ...]]:
+    found, sources = tree_problems(data, name, robot)
+    return tuple(found), sources, (_syntax_only(name),) if robot is None else ()
+
+
+def _syntax_only(name: object) -> Sentence:
+    return Sentence("{path}: only the syntax was checked; what its names mean depends on the robot (--robot)", name)
 
 
 def _image(path: Path) -> FileReport:
@@ -156,7 +168,7 @@ def _among_others(path: Path, found: list[Diagnostic]) -> list[Diagnostic]:
     return [item for item in problems if item.place and item.place.file == str(path) and item not in found]
 
 
-def _xml(path: Path) -> FileReport:
+def _xml(path: Path, robot: Robot | None) -> FileReport:
     data, name = read_bytes(path), str(path)
     source = Source(name, data.decode("utf-8-sig", errors="replace"))
     first = _FIRST_ELEMENT.match(source.text[:_BEGINNING])
@@ -164,11 +176,13 @@ def _xml(path: Path) -> FileReport:
     lower = path.name.lower()
     if kind == "kitrobot":
         return _mission(path)
+    if kind == TREE_ELEMENT:
+        return FileReport(path, *_tree(data, name, robot))
     found: list[Diagnostic]
     # A name such as `x.robot.xml` promises a kind; its reader says best what stands there instead.
     if kind == "robot" or (kind not in _READERS and lower.endswith(".robot.xml")):
-        robot, found = read_robot(data, name)
-        found += robot_problems(robot, path.parent) if robot is not None else []
+        described, found = read_robot(data, name)
+        found += robot_problems(described, path.parent) if described is not None else []
     elif kind == "board" or (kind not in _READERS and lower.endswith(KIT_SUFFIX)):
         kit, found = read_kit(data, name)
         found += wiring_problems(kit, path.parent) if kit is not None else []

@@ -18,7 +18,7 @@ from kitrobot.files.folder import ConflictError, MissionFolder, MissionNameError
 from kitrobot.primitives.constructors_xml import read_constructors
 from kitrobot.primitives.kit_xml import KIT_SUFFIX, read_kit
 from kitrobot.primitives.robot_xml import read_robot
-from kitrobot.text.sentences import Sentence
+from kitrobot.text.sentences import Help, Sentence
 from kitrobot.versions.kits import kit_differences
 from kitrobot.workspace.file_check import first_element
 from kitrobot.world.xml_reader import read_world
@@ -28,7 +28,11 @@ LARGEST_PARTS_BYTES = 4 * 1024 * 1024
 
 _ENDINGS = {"robot": ".robot.xml", "board": KIT_SUFFIX, "constructors": ".xml", "world": ".world.xml"}
 _UNREADABLE = ("xml-not-well-formed", "xml-encoding", "xml-forbidden", "xml-too-deep", "xml-too-large")
-_OTHER_KINDS = {"kitrobot": Sentence("a mission"), "tutorial": Sentence("a tutorial")}
+_OTHER_KINDS: dict[str, tuple[Sentence, Help]] = {
+    "kitrobot": (Sentence("a mission"), Sentence("give its name the ending .krt and open it")),
+    "tutorial": (Sentence("a tutorial"), ""),
+    "root": (Sentence("a behaviour tree"), Sentence("make a mission of it with {command}", "`kitrobot convert`")),
+}
 
 
 class PartsFileError(KitRobotError):
@@ -143,10 +147,8 @@ def _kind_and_names(file: str, data: bytes) -> tuple[str, tuple[str, ...]]:
 
 def _refusal(file: str, kind: str) -> PartsFileError:
     if kind in _OTHER_KINDS:
-        message = Sentence("`{file}` is {kind}", file[:80], _OTHER_KINDS[kind])
-        return PartsFileError(
-            message, Sentence("give its name the ending .krt and open it") if kind == "kitrobot" else ""
-        )
+        words, help = _OTHER_KINDS[kind]
+        return PartsFileError(Sentence("`{file}` is {kind}", file[:80], words), help)
     found = Sentence("begins with <{element}>", kind[:40]) if kind else Sentence("is no XML")
     return PartsFileError(
         Sentence("`{file}` {found}, so it holds no parts", file[:80], found),
