@@ -1,7 +1,8 @@
 # The loudspeaker of a micro:bit V2: what `music` plays, without a pin.
 
-from kitrobot_onboard.drivers.microbit.music import Music
 from microbit import speaker
+
+from kitrobot_onboard.drivers.microbit.music import Music
 
 CHIP = "nrf52833"
 SETTINGS = {}
