@@ -208,5 +208,6 @@ def test_on_a_board_of_2016_the_other_parts_are_tried_by_hand() -> None:
 
     parts, _ = load_parts(bench, (Category.ACTUATOR, "Display"), broken, send)
     assert broken.keys() == {(Category.SENSOR, "Logo"), (Category.SENSOR, "Loudness")}
-    assert broken[Category.SENSOR, "Logo"].message == "`Logo` does not start: only a micro:bit V2 has it"
+    message = broken[Category.SENSOR, "Loudness"].message
+    assert message == "`Loudness` does not start: the micro:bit of 2016 lacks what the program uses: `Loudness`"
     assert (Category.SENSOR, "ButtonA") in parts

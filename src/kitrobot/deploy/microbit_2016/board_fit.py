@@ -20,7 +20,7 @@ def refuse_on_2016(program: ProgramFile, package: Package, needs: FirmwareRequir
 
     Raises:
         FirmwareError: the kit is for a V2.
-        BoardError: parts are; `said` blames the first of them.
+        BoardError: parts are; `said` is the first of them, as a board names it.
     """
     if needs is not None:
         needs.refuse_board_of_2016()
@@ -36,7 +36,7 @@ def refuse_on_2016(program: ProgramFile, package: Package, needs: FirmwareRequir
         Sentence("the micro:bit of 2016 lacks what the program uses: {parts}", names),
         Sentence("take a micro:bit V2, or leave these parts out of the program"),
     )
-    refusal.said = f"{_address(*lacking[0])} only a micro:bit V2 has it"
+    refusal.said = _address(*lacking[0])
     raise refusal
 
 
