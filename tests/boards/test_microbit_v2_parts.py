@@ -173,7 +173,7 @@ def test_the_hex_is_for_the_v2_alone_and_says_which_parts_the_other_lacks(tmp_pa
     made = program(tmp_path, kit=None)
     hex_file = make_board_hex(made.file, made.package, made.needs)
     assert hex_file.boards == (V2,)
-    assert hex_file.left_out[V1].message == "the micro:bit of 2016 lacks what the program uses: `Logo`, `Loudness`"
+    assert hex_file.left_out[V1].message == "only a micro:bit V2 has what the program uses: `Logo`, `Loudness`"
     assert hex_file.left_out[V1].help == "take a micro:bit V2, or leave these parts out of the program"
 
 
@@ -193,7 +193,7 @@ def test_a_board_of_2016_keeps_its_program_when_it_is_sent_what_it_lacks(
     made = program(tmp_path, kit=None)
     with connect(used_microbit.address, PATIENCE_S) as link:
         before = link.hello.program
-    with pytest.raises(BoardError, match="the micro:bit of 2016 lacks what the program uses"):
+    with pytest.raises(BoardError, match="only a micro:bit V2 has what the program uses"):
         deploy(used_microbit.address, made.file.to_bytes(), made.package)
     with connect(used_microbit.address, PATIENCE_S) as link:
         assert link.hello.program == before
@@ -209,5 +209,5 @@ def test_on_a_board_of_2016_the_other_parts_are_tried_by_hand() -> None:
     parts, _ = load_parts(bench, (Category.ACTUATOR, "Display"), broken, send)
     assert broken.keys() == {(Category.SENSOR, "Logo"), (Category.SENSOR, "Loudness")}
     message = broken[Category.SENSOR, "Loudness"].message
-    assert message == "`Loudness` does not start: the micro:bit of 2016 lacks what the program uses: `Loudness`"
+    assert message == "`Loudness` does not start: only a micro:bit V2 has what the program uses: `Loudness`"
     assert (Category.SENSOR, "ButtonA") in parts

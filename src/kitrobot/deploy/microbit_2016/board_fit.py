@@ -33,7 +33,7 @@ def refuse_on_2016(program: ProgramFile, package: Package, needs: FirmwareRequir
         return
     names = Series(COMMA, (f"`{device.part or device.driver}`" for _, device in lacking))
     refusal = BoardError(
-        Sentence("the micro:bit of 2016 lacks what the program uses: {parts}", names),
+        Sentence("only a micro:bit V2 has what the program uses: {parts}", names),
         Sentence("take a micro:bit V2, or leave these parts out of the program"),
     )
     refusal.said = _address(*lacking[0])
