@@ -17,7 +17,7 @@ from pathlib import Path
 
 from kitrobot.boards.kit_pictures import pin_name, wiring_picture
 from kitrobot.boards.kits import mission_on_kit
-from kitrobot.primitives.kit import Kit, KitEvidence
+from kitrobot.primitives.kit import CHIP_OF_V2, Kit, KitEvidence
 from kitrobot.workspace.kit_files import kits_at_hand
 from kitrobot.workspace.mission_loader import open_mission
 from tools.kit_texts import WORDS, page_in
@@ -39,12 +39,17 @@ ORDER = (
     "cutebot",
     "move-motor",
     "microbit",
+    "microbit-v2",
 )
 _TRIED = {
     KitEvidence.DOCUMENTS: "from its documents: nobody has reported yet that it was tried",
     KitEvidence.EMULATOR: "in an emulator: its drivers on a current MicroPython (WebAssembly) whose pins only remember",
     KitEvidence.HAND: "in the hand, as reported by {by}",
 }
+_ON_V2 = (
+    "in part: its drivers on a current MicroPython (WebAssembly) with a module `microbit` of the tests' own; no V2 was "
+    "in a hand"
+)
 _FIRMWARE = "in an emulator: its drivers on the firmware of the micro:bit of 2016, in QEMU"
 _HEAD = """# Kits
 
@@ -63,7 +68,7 @@ look at your own robot with *Try the parts* or [`kitrobot calibrate`](boards.md#
 | `open`, `closed`, `time` of a servo | all with a servo | 90°, 0°, 1000 to 2000 ms (pen: 300 ms) |
 | `threshold` of an eye for the ground | alvik, pololu-3pi, move-motor, xrp, xrp-beta | the middle of its readings |
 | `dark="high"` of eyes for the ground that you choose yourself | pico, esp32 | high on a dark line |
-| pins that the builder is free to choose | pico, cardboard, esp32, microbit | as listed |
+| pins that the builder is free to choose | pico, cardboard, esp32, microbit, microbit-v2 | as listed |
 
 An eye of a Maqueen (ROB0148) reads 0 on a dark line, according to Zephyr's line follower for it. A later Maqueen with
 a key to calibrate its eyes reads 1, according to a course for it: write `dark="high"` into a copy of the file for that.
@@ -88,10 +93,10 @@ None of these kits has its motors behind an I²C chip at a board with `machine`;
 A kit with a colour sensor may read a `sign` from patches of colour (`patches`) instead of bars beside the road
 (`marks`).
 
-The kits of a micro:bit are for a V2, which is not yet tested, and for the one of 2016, whose firmware runs in QEMU in
-the tests: it has 16 kB of memory. KitRobot refuses a program that certainly does not fit before it sends it, and one
-that nearly fits after the board has tried it; in both cases the board keeps its earlier program, except with `--fresh`
-([figures](benchmarks.md)).
+The kits of a micro:bit are for a V2, which nobody has tried in a hand, and, but for `microbit-v2`, for the one of 2016,
+whose firmware runs in QEMU in the tests: it has 16 kB of memory. KitRobot refuses a program that certainly does not fit
+before it sends it, and one that nearly fits after the board has tried it; in both cases the board keeps its earlier
+program, except with `--fresh` ([figures](benchmarks.md)).
 """
 
 
@@ -205,10 +210,13 @@ def _kit(kit: Kit) -> Iterator[str]:
     yield ""
     yield f"**{kit.label['']}.** {kit.help['']}"
     yield ""
+    is_v2 = kit.chip == CHIP_OF_V2
     firmware = kit.tried is KitEvidence.EMULATOR and kit.family == "microbit"
-    tried = _FIRMWARE if firmware else _TRIED[kit.tried].format(by=kit.tried_by)
+    tried = (_ON_V2 if is_v2 else _FIRMWARE) if firmware else _TRIED[kit.tried].format(by=kit.tried_by)
     yield f"- Known to work: *{tried}*."
-    board = "a micro:bit" if kit.family == "microbit" else "MicroPython with the module `machine`"
+    board = "MicroPython with the module `machine`"
+    if kit.family == "microbit":
+        board = "a micro:bit V2" if is_v2 else "a micro:bit"
     yield f"- Board: {board}" + (f", {kit.micropython} or later." if kit.micropython else ".")
     for source in kit.sources:
         yield f"- Source: [{source.text}]({source.href})"

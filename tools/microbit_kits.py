@@ -28,7 +28,7 @@ from kitrobot.deploy.installation.deployment import deploy
 from kitrobot.deploy.line.board import Board
 from kitrobot.deploy.line.handshake import connect
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.primitives.kit import Kit
+from kitrobot.primitives.kit import CHIP_OF_V2, Kit
 from kitrobot.robots.program import BoardProgram
 from kitrobot.workspace.kit_files import kits_at_hand
 from kitrobot.workspace.mission_loader import OpenMission, open_mission
@@ -47,8 +47,8 @@ class FaultError(Exception):
 
 
 def small_kits() -> dict[str, Kit]:
-    """The kits of a micro:bit that come along."""
-    return {name: kit for name, kit in kits_at_hand().items() if kit.family == "microbit"}
+    """The kits that come along and take a micro:bit of 2016."""
+    return {name: kit for name, kit in kits_at_hand().items() if kit.family == "microbit" and kit.chip != CHIP_OF_V2}
 
 
 def programs(opened: OpenMission, kit: Kit) -> Iterator[tuple[str, BoardProgram]]:

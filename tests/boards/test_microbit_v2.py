@@ -68,17 +68,22 @@ uart = Uart()
 """What is added to a module `microbit` that only remembers: its serial line and its clock."""
 
 
-def board(chip: str, version: tuple[int, ...] = (), files: Mapping[str, bytes] = MappingProxyType({})) -> ModernBoard:
+def board(
+    chip: str,
+    version: tuple[int, ...] = (),
+    files: Mapping[str, bytes] = MappingProxyType({}),
+    more: bytes = b"",
+) -> ModernBoard:
     """One with that chip. `version`: what it says that the version of its MicroPython is; none: which it is. `files`:
-    what is on it already.
+    what is on it already. `more`: what is added to its module `microbit`.
     """
     known = onboard_files()
-    pins = {name: known[name] for name in ("machine.py", "neopixel.py")}
+    pins = {name: known[name] for name in ("machine.py", "music.py", "neopixel.py")}
     boot = BOOT.replace(b"CHIP", chip.encode())
     if version:
         boot = boot.replace(b"implementation = sys.implementation", f"implementation = ('', {version})".encode())
     utime = b"from time import *\n"
-    microbit = known["microbit.py"] + SERIAL
+    microbit = known["microbit.py"] + SERIAL + more
     return ModernBoard({**pins, **files, "boot.py": boot, "microbit.py": microbit, "utime.py": utime})
 
 

@@ -51,6 +51,17 @@ def test_a_program_for_the_v2_alone_says_why_and_what_takes_most(kitrobot, here)
     assert "the drivers that take most are" in done.err
 
 
+def test_a_program_with_parts_of_the_v2_says_which_they_are_and_what_can_be_done(kitrobot, here):
+    (here / "touch.lll").write_text("*[Logo.IsReleased()]( WAIT(1); );\nMusic.Play(0);\n")
+    done = kitrobot("deploy", "touch.lll", "--robot", "microbit", "--file", "t.hex")
+    assert done.status == 0
+    lines = done.err.splitlines()
+    said = "it is not for the micro:bit of 2016: only a micro:bit V2 has what the program uses: `Logo`"
+    assert said in lines
+    assert "  help: take a micro:bit V2, or leave these parts out of the program" in lines
+    assert "t.hex: written for the micro:bit V2" in lines
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [

@@ -90,12 +90,21 @@ def test_what_a_setting_is_may_depend_on_another_one() -> None:
         "SETTINGS = {'a': 'pin where b=c;'}",
         "PROCEDURES = ['Open']",
         "PROCEDURES = x + 1",
+        "CHIP = 'nrf51822'",
+        "CHIP = chip",
     ],
 )
 def test_a_declaration_that_cannot_be_read_is_named_with_its_line(line: str) -> None:
     with pytest.raises(PackageError, match=r"own.driver.py` line 2: ") as caught:
         read_declaration(ast.parse(f"\n{line}"), "own.driver.py")
-    assert line.split(" ")[0] in caught.value.help
+    assert line.split(" ")[0] in f"{caught.value.message} {caught.value.help}"
+
+
+def test_a_driver_says_for_which_chip_alone_it_is_and_does_not_say_it_on_the_board() -> None:
+    for text, chip in (("CHIP = 'nrf52833'", "nrf52833"), ("SETTINGS = {}", "")):
+        tree = ast.parse(text)
+        assert read_declaration(tree, "own.driver.py").chip == chip
+        assert without_declarations(tree).body == []
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,13 @@ from kitrobot.primitives.kit import Kit, KitPart
 from tools.microbit_kits import small_kits
 
 FOLDER = ONBOARD / "drivers" / "microbit"
-DRIVERS = sorted(path for path in FOLDER.rglob("*.py") if path.name != "__init__.py")
+DRIVERS = sorted(
+    path
+    for path in FOLDER.rglob("*.py")
+    if path.name != "__init__.py" and "CHIP = " not in path.read_text(encoding="utf-8")
+)
+"""Without those of a V2."""
+
 NESTED = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp, ast.Lambda)
 """Each is a function of its own to MicroPython."""
 

@@ -263,6 +263,20 @@ def test_a_program_that_uses_what_a_kit_lacks_is_refused_with_every_part_and_the
     assert (looked["Door"].is_used, looked["Door"].is_missing, looked["Wheel"].is_missing) == (True, True, False)
 
 
+def test_the_kit_of_a_micro_bit_lacks_what_a_v2_has_and_names_the_kit_of_a_v2() -> None:
+    kits = {
+        name: read_kit((SHIPPED / f"{name}.board.xml").read_bytes(), name)[0] for name in ("microbit", "microbit-v2")
+    }
+    robot = load_catalogue().robots["microbit"]
+    compiled = compile_text("[Logo.IsTouched()](Music.Play(0); )!(Display.Number(Loudness.Value()); );", robot)
+    with pytest.raises(PackageError) as refused:
+        program_of("touch", robot, compiled, kit=kits["microbit"])
+    assert refused.value.message == "the kit `microbit` lacks what the program uses: `Logo`, `Loudness`"
+    assert "name the kit `microbit-v2`" in str(refused.value.help)
+    drivers = program_of("touch", robot, compiled, kit=kits["microbit-v2"]).file.drivers
+    assert drivers.keys() == {"display", "speaker", "logo", "microphone"}
+
+
 def test_a_kit_of_another_family_refuses_drivers_that_it_does_not_have() -> None:
     text = '<board name="k" version="1" family="microbit"><actuator device="lamp" driver="rgb" pin="8"/></board>'
     kit, _ = read_kit(text.encode(), "k.board.xml")

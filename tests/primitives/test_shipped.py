@@ -240,6 +240,11 @@ def test_the_micro_bit_has_what_is_on_the_board(catalogue: Catalogue) -> None:
         "sensor Random.LessThan(value 0…99) less",
         "sensor Random.GreaterThan(value 0…99) greater",
         "sensor Random.Value()",
+        "sensor Logo.IsTouched() equal 1",
+        "sensor Logo.IsReleased() equal 0",
+        "sensor Loudness.GreaterThan(value 0…255) greater",
+        "sensor Loudness.LessThan(value 0…255) less",
+        "sensor Loudness.Value()",
     ]
 
 

@@ -73,7 +73,8 @@ def load_parts(
             if blamed is None or blamed not in parts:
                 raise
             reason = reason_of(error.said)
-            found = PartError(Sentence("`{part}` does not start: {reason}", blamed[1], reason), WIRES, part=blamed)
+            message = Sentence("`{part}` does not start: {reason}", blamed[1], reason or error.message)
+            found = PartError(message, WIRES if reason else error.help, part=blamed)
             broken[blamed] = found
             parts.remove(blamed)
             if blamed == needed:

@@ -19,8 +19,11 @@ from kitrobot.primitives.robot import Board, Category, Robot, RobotObject, Texts
 FAMILIES_OF_BOARDS = ("machine", "microbit")
 """What kinds of boards there are: those with the module `machine`, and the micro:bit."""
 
-CHIPS = ("esp32", "rp2040", "rp2350")
-"""Chips whose pins are not alike, or share what makes square waves."""
+CHIP_OF_V2 = "nrf52833"
+"""The chip of a micro:bit V2."""
+
+CHIPS = ("esp32", CHIP_OF_V2, "rp2040", "rp2350")
+"""Chips whose pins are not alike, or share what makes square waves, and that of the micro:bit V2."""
 
 LARGEST_PIN = 127
 """The largest number of a pin."""

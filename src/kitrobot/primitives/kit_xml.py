@@ -268,7 +268,9 @@ KIT = {
             "family": optional(one(*FAMILIES_OF_BOARDS), "machine", about="The kind of board."),
             "micropython": optional(_VERSION, about="The least version of MicroPython, such as 1.20."),
             "chip": optional(
-                one(*CHIPS), about="The kind of chip, where its pins are not alike or share what makes square waves."
+                one(*CHIPS),
+                about="The kind of chip, where its pins are not alike or share what makes square waves; nrf52833: the"
+                " kit is for a micro:bit V2 alone.",
             ),
             "firmware": optional(_PAGE, about="The page of its maker from which its MicroPython is fetched."),
             "pins": optional(about="The pins that there are: numbers, ranges and names, such as 0..22 26 LED."),

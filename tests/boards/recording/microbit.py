@@ -78,11 +78,32 @@ class Accelerometer:
         return levels.get(name, 0)
 
 
+class Logo:
+    def is_touched(self):
+        return bool(levels.get("logo", 0))
+
+
+class Speaker:
+    def on(self):
+        log.append(("speaker", "on", None))
+
+    def off(self):
+        log.append(("speaker", "off", None))
+
+
+class Microphone:
+    def sound_level(self):
+        return volts.get("microphone", 0)
+
+
 i2c = Bus()
 display = Display()
 button_a = Button("a")
 button_b = Button("b")
 accelerometer = Accelerometer()
+pin_logo = Logo()
+speaker = Speaker()
+microphone = Microphone()
 
 
 def running_time():

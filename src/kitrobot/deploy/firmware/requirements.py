@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from kitrobot.deploy.errors import FirmwareError
 from kitrobot.deploy.firmware.chip_pins import PLATFORMS
+from kitrobot.primitives.kit import CHIP_OF_V2
 from kitrobot.text.sentences import Sentence
 
 EVERYWHERE = "https://micropython.org/download/"
@@ -59,6 +60,14 @@ class FirmwareRequirements:
             ),
             Sentence("name the kit of this board with --board, or choose another board with --to; nothing was sent"),
         )
+
+    def refuse_board_of_2016(self) -> None:
+        """Raises a FirmwareError when the kit is for a micro:bit V2 alone: the board is one of 2016."""
+        if self.chip == CHIP_OF_V2:
+            raise FirmwareError(
+                Sentence("the kit `{kit}` is for a micro:bit V2, and this board is one of 2016", self.kit),
+                Sentence("name a kit for the micro:bit of 2016 with --board, or take a micro:bit V2"),
+            )
 
     def refuse_older(self, version: str) -> None:
         """Raises a FirmwareError when a board's version is older than that."""

@@ -39,6 +39,7 @@ from kitrobot.deploy.installation.loop_installers import loop_installer
 from kitrobot.deploy.line.line import Line
 from kitrobot.deploy.line.receiver import MICROBIT, Receiver, too_much_lost
 from kitrobot.deploy.line.repl import GarbledError, RawRepl
+from kitrobot.deploy.microbit_2016.board_fit import refuse_on_2016
 from kitrobot.deploy.package.board_package import BoardPackage
 from kitrobot.deploy.package.driver_fit import refuse_misfits
 from kitrobot.deploy.package.memory import refuse_what_does_not_fit
@@ -115,6 +116,8 @@ class Installation:
         if self.robot.needs is not None:
             self.robot.needs.refuse_other_board(board.family)
             self.robot.needs.refuse_older(board.micropython)
+        if board.is_2016:
+            refuse_on_2016(self.program, self.package, self.robot.needs)
         family = MICROBIT if board.family == MICROBIT else "machine"
         self.built: BoardPackage = self.package.build(family, self.program.drivers, loop_installer(board))
         refuse_misfits(self.program, self.package, family)

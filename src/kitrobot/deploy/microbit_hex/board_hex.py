@@ -14,6 +14,7 @@ from kitrobot.deploy.errors import BoardError, PackageError
 from kitrobot.deploy.firmware.requirements import FirmwareRequirements
 from kitrobot.deploy.installation.initial_files import initial_files
 from kitrobot.deploy.line.receiver import MICROBIT
+from kitrobot.deploy.microbit_2016.board_fit import refuse_on_2016
 from kitrobot.deploy.microbit_2016.flash_loop import FLASH_LOOP
 from kitrobot.deploy.microbit_hex.bundled_firmware import V1, V2, bundled_firmware, compiled_block
 from kitrobot.deploy.microbit_hex.file_area import build_area
@@ -91,6 +92,8 @@ def make_board_hex(
 def _memory(
     number: int, board: _Board, program: ProgramFile, package: Package, needs: FirmwareRequirements | None
 ) -> Mapping[int, bytes]:
+    if number == V1:
+        refuse_on_2016(program, package, needs)
     if needs is not None:
         needs.refuse_older(board.micropython)
     files = initial_files(program, package, MICROBIT, board.installer, board.free)

@@ -9,7 +9,8 @@ A setting is a `pin` (a number or a name), a `shared` pin, to which several part
 same name (a bus, the motors of two drivers), a pin that is only read and so an `input` of several parts, a `text`, a
 whole number in a range, or one of several words; `= VALUE` is the default, `?` marks an optional setting. Both are read
 without running the driver and are left out of what is installed on a board. A driver without declarations gets all
-settings of the XML, unchecked. `WAVES` says which pins get square waves (waves).
+settings of the XML, unchecked. `WAVES` says which pins get square waves (waves). `CHIP` names the chip without whose
+board there is no such device: `"nrf52833"` that of the micro:bit V2.
 
 What a setting is may depend on another one,
 
@@ -27,12 +28,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from kitrobot.deploy.errors import PackageError
+from kitrobot.primitives.kit import CHIPS
 from kitrobot.text.sentences import COMMA, Sentence, Series
 
 ALWAYS = frozenset({"limit"})
 """Settings of actuators that the robot's loop understands itself."""
 
-_NAMES = ("SETTINGS", "PROCEDURES", "WAVES")
+_NAMES = ("SETTINGS", "PROCEDURES", "WAVES", "CHIP")
 _PINS = ("pin", "shared", "input")
 _KIND = re.compile(
     r"(?P<kind>pin|shared|input|text|(?P<channel>channel\s+)?(?P<least>-?[0-9]{1,9})\.\.(?P<most>-?[0-9]{1,9})"
@@ -77,11 +79,12 @@ class Wire:
 
 @dataclass(frozen=True)
 class DriverDeclaration:
-    """The declaration of a driver; None where it declares nothing."""
+    """The declaration of a driver; None where it declares nothing. `chip`: the only one that it is for; "": any."""
 
     settings: Mapping[str, Setting] | None = None
     procedures: tuple[str, ...] | None = None
     waves: Mapping[str, str] = field(default_factory=dict)
+    chip: str = ""
 
     def known(self, given: Mapping[str, str]) -> dict[str, Setting]:
         """The settings beside those that are `given`; none for a driver that declares nothing."""
@@ -108,6 +111,7 @@ def read_declaration(tree: ast.Module, path: str) -> DriverDeclaration:
     settings: dict[str, Setting] | None = None
     procedures: tuple[str, ...] | None = None
     waves: dict[str, str] = {}
+    chip = ""
     for statement in tree.body:
         match statement:
             case ast.Assign(targets=[ast.Name(id="SETTINGS")], value=value):
@@ -122,7 +126,9 @@ def read_declaration(tree: ast.Module, path: str) -> DriverDeclaration:
                 procedures = tuple(words.split())
             case ast.Assign(targets=[ast.Name(id="WAVES")], value=value):
                 waves = _waves(_literal(value), path, statement.lineno)
-    return DriverDeclaration(settings, procedures, waves)
+            case ast.Assign(targets=[ast.Name(id="CHIP")], value=value):
+                chip = _chip(_literal(value), path, statement.lineno)
+    return DriverDeclaration(settings, procedures, waves, chip)
 
 
 def without_declarations(tree: ast.Module) -> ast.Module:
@@ -326,6 +332,15 @@ def _waves(value: object, path: str, line: int) -> dict[str, str]:
     raise PackageError(
         Sentence("`{path}` line {line}: WAVES must say of each setting its frequency", path, line),
         Sentence('write it as in WAVES = {"pin": "50"}'),
+    )
+
+
+def _chip(value: object, path: str, line: int) -> str:
+    if isinstance(value, str) and value in CHIPS:
+        return value
+    raise PackageError(
+        Sentence("`{path}` line {line}: CHIP must be one of {chips}", path, line, _listed(CHIPS)),
+        Sentence("leave it out where the driver is for every board of its kind"),
     )
 
 

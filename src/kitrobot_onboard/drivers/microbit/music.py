@@ -14,10 +14,8 @@ MELODIES = (
 
 
 class Music:
-    def __init__(self, settings):
-        # Pin 0 goes without saying: the firmware of 2016, told of it, does not come back from a tone.
-        pin = settings.get("pin", "0")
-        self.pins = () if pin == "0" else (getattr(microbit, "pin" + pin),)
+    def __init__(self, pins):
+        self.pins = pins
         self.until = 0
 
     def do(self, procedure, arguments):
@@ -45,4 +43,6 @@ class Music:
 
 
 def make(settings):
-    return Music(settings)
+    # Pin 0 goes without saying: the firmware of 2016, told of it, does not come back from a tone.
+    pin = settings.get("pin", "0")
+    return Music(() if pin == "0" else (getattr(microbit, "pin" + pin),))

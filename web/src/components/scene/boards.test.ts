@@ -132,6 +132,17 @@ describe("a button of a board", () => {
     expect(keyAt(brush, [seen(0)], 200, 92)).toBeNull();
   });
 
+  it("is above the lights where it is the third, a logo", () => {
+    const one = seen(0);
+    const keys = keysOf({ ...BOARD, objects: [...BOARD.objects, part("Logo", "sensor", { hand: "button" })] }, {});
+    expect(keys.map(({ letter }) => letter)).toEqual(["A", "B", "S", "L"]);
+    const v2 = { ...one, actor: { ...one.actor, keys } };
+    expect(keyAt(brush, [v2], 200, 100 - 44)).toEqual({ agent: "b", sensor: "Logo" });
+    expect(keyAt(brush, [v2], 200 - 48, 92)).toEqual({ agent: "b", sensor: "ButtonA" });
+    expect(keyAt(brush, [v2], 200, 92)).toBeNull();
+    expect(keyAt(brush, [one], 200, 100 - 44)).toBeNull();
+  });
+
   it("turns with the board", () => {
     // Counter-clockwise by a quarter: what was on the left is below.
     expect(keyAt(brush, [seen(Math.PI / 2)], 192, 100 + 48)).toEqual({ agent: "b", sensor: "ButtonA" });

@@ -6,7 +6,7 @@
  * told apart. Its upper edge is up where its heading is 0.
  */
 import { toScreen } from "./camera";
-import { type Indicator, lightsOf } from "./boards";
+import { type HandKey, type Indicator, lightsOf } from "./boards";
 import { type Brush, write } from "./draw-world";
 export { press, release, releaseAll } from "./hands";
 import type { Actor, Seen } from "./scene";
@@ -15,7 +15,13 @@ const [WIDTH, HEIGHT] = [64, 54];
 const EDGE = 9;
 const PITCH = 5.8;
 const LIGHTS_Y = -4;
-const KEY = { x: 24, y: -4, radius: 5, reach: 9 };
+const KEY = { radius: 5, reach: 9 };
+/** Where the buttons of a board are, in their order: on the left, on the right, and the logo above its lights. */
+const KEYS = [
+  { x: -24, y: -4, isLogo: false },
+  { x: 24, y: -4, isLogo: false },
+  { x: 0, y: -22, isLogo: true },
+];
 const LEAST_PX = 150;
 const MANY = 4;
 
@@ -77,16 +83,32 @@ function drawEdge(brush: Brush, pins: readonly number[]): void {
   });
 }
 
+/** The buttons on the board itself that have a place there. */
+function placedKeys(keys: readonly HandKey[]): { key: HandKey; x: number; y: number; isLogo: boolean }[] {
+  const on = keys.filter((key) => key.onBoard);
+  return KEYS.flatMap((place, number) => {
+    const key = on[number];
+    return key === undefined ? [] : [{ key, ...place }];
+  });
+}
+
 function drawKeys(brush: Brush, { actor }: Seen): void {
-  actor.keys
-    .filter((key) => key.onBoard)
-    .slice(0, 2)
-    .forEach(({ letter, pressed }, number) => {
-      const x = number === 0 ? -KEY.x : KEY.x;
-      box(brush, x - 6.5, KEY.y - 6.5, 13, 13, 1.8, COLOURS.plate);
-      disc(brush, x, KEY.y, pressed ? KEY.radius - 0.7 : KEY.radius, pressed ? COLOURS.held : COLOURS.key);
-      write(brush, letter, x * brush.unit, (KEY.y - 10) * brush.unit, 6 * brush.unit, 700, COLOURS.ink);
-    });
+  for (const { key, x, y, isLogo } of placedKeys(actor.keys)) {
+    if (isLogo) drawLogo(brush, key, x, y);
+    else {
+      box(brush, x - 6.5, y - 6.5, 13, 13, 1.8, COLOURS.plate);
+      disc(brush, x, y, key.pressed ? KEY.radius - 0.7 : KEY.radius, key.pressed ? COLOURS.held : COLOURS.key);
+      write(brush, key.letter, x * brush.unit, (y - 10) * brush.unit, 6 * brush.unit, 700, COLOURS.ink);
+    }
+  }
+}
+
+/** A golden oval with two eyes, and its letter beside it. */
+function drawLogo(brush: Brush, { letter, pressed }: HandKey, x: number, y: number): void {
+  box(brush, x - 6.5, y - 3, 13, 6, 3, pressed ? COLOURS.held : COLOURS.gold);
+  box(brush, x - 5, y - 1.6, 10, 3.2, 1.6, COLOURS.board);
+  for (const side of [-2.2, 2.2]) disc(brush, x + side, y, 1, pressed ? COLOURS.held : COLOURS.gold);
+  write(brush, letter, (x - 11) * brush.unit, y * brush.unit, 6 * brush.unit, 700, COLOURS.ink);
 }
 
 /** Waves beside the board while it sounds. */
@@ -195,11 +217,9 @@ export function keyAt(
     const [cos, sin] = [Math.cos(pose.heading_rad), Math.sin(pose.heading_rad)];
     // Back into the board's own axes.
     const [bx, by] = [dx * cos - dy * sin, dx * sin + dy * cos];
-    const on = actor.keys.filter((key) => key.onBoard).slice(0, 2);
-    for (const [number, key] of on.entries()) {
-      const kx = number === 0 ? -KEY.x : KEY.x;
-      if (Math.abs(bx - kx) < KEY.reach && Math.abs(by - KEY.y) < KEY.reach)
-        return { agent: actor.name, sensor: key.sensor };
+    for (const place of placedKeys(actor.keys)) {
+      if (Math.abs(bx - place.x) < KEY.reach && Math.abs(by - place.y) < KEY.reach)
+        return { agent: actor.name, sensor: place.key.sensor };
     }
   }
   return null;
