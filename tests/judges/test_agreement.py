@@ -158,6 +158,33 @@ def test_what_a_judge_finds_in_a_mission_with_a_mistake_the_others_find_too(tmp_
     ), found
 
 
+@pytest.mark.parametrize(
+    ("question", "ruling", "tick"),
+    [
+        ("delivered within 2", JudgeAnswer.BROKEN, 100),
+        ("delivered within 2.01", JudgeAnswer.BROKEN, 101),
+        ("delivered within 3", JudgeAnswer.BROKEN, 150),
+        ("delivered within 3.02", JudgeAnswer.NOT_DECIDED, -1),
+        ("done within 0.58", JudgeAnswer.BROKEN, 29),
+        ("done within 60", JudgeAnswer.NOT_DECIDED, -1),
+        ("time within 3", JudgeAnswer.KEPT, -1),
+        ("deadlock within 60", JudgeAnswer.KEPT, -1),
+    ],
+)
+def test_the_time_of_a_question_counts_alike_in_a_run_and_in_its_recording(
+    question: str, ruling: JudgeAnswer, tick: int, tmp_path: Path
+) -> None:
+    trace = tmp_path / "run.krtrace"
+    recorded = kitrobot.open_mission("transport").prepare(RunOptions(1, 3.0, 0.0, trace))
+    watch = RunWatch(recorded.simulation, [question])
+    recorded.run(watch=watch.after_step)
+    [run] = watch.judgements("")
+    [recording] = judge_recording(trace, [question])
+    assert [(one.question, one.ruling, one.tick) for one in (run, recording)] == 2 * [(question, ruling, tick)]
+    if ruling is JudgeAnswer.NOT_DECIDED:
+        assert run.reason == recording.reason == "the time of the run was up before the deadline"
+
+
 def test_a_recording_of_another_mission_is_refused(tmp_path: Path) -> None:
     trace = tmp_path / "run.krtrace"
     opened_mission(SOURCES).prepare(RunOptions(1, 30.0, 0.0, trace)).run()
