@@ -70,7 +70,7 @@ class ComparisonOptions:
 
     seconds: float
     states: int = 20_000
-    check_seconds: float = 1.0
+    check_seconds: float = 0.25
     runs: int = 2
     moments: int = 2
     dear: int = 3

@@ -16,7 +16,10 @@ import pytest
 
 import kitrobot
 from kitrobot import OpenMission
+from kitrobot.checking.verification import VerificationOptions, verify
+from kitrobot.checking.verification_result import Verification
 from kitrobot.experiments.run_question import RunJudge
+from kitrobot.judges import mission_judges
 from kitrobot.judges.judgement import Judge, JudgeAnswer, Judgement
 from kitrobot.judges.many_runs import FailureOptions
 from kitrobot.judges.mission_judges import JudgeOptions, judge_mission
@@ -26,7 +29,7 @@ from kitrobot.judges.run_watch import RunWatch
 from kitrobot.mission.property_text import read_property
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.recorder import Recorder
-from kitrobot.workspace.mission_run import RunOptions
+from kitrobot.workspace.mission_run import PreparedRun, RunOptions
 from tests.effort import examples
 
 SOURCES = {
@@ -156,6 +159,26 @@ def test_what_a_judge_finds_in_a_mission_with_a_mistake_the_others_find_too(tmp_
     assert (
         found[Judge.RUN] == found[Judge.RECORDING] == found[Judge.TEAM] == found[Judge.RUNS] <= found[Judge.FAILURES]
     ), found
+
+
+def test_questions_are_checked_together_also_where_one_is_none_for_a_check(monkeypatch: pytest.MonkeyPatch) -> None:
+    explored: list[VerificationOptions] = []
+
+    def counted(prepared: PreparedRun, options: VerificationOptions) -> Verification:
+        made = verify(prepared, options)
+        if options.states != 1:
+            explored.append(options)
+        return made
+
+    monkeypatch.setattr(mission_judges, "verify", counted)
+    prepared = opened_mission(SOURCES).prepare(RunOptions(1, 30.0))
+    free = "eventually any ada (Captor.LessThan(30))"
+    said = list(judge_mission(prepared, (QUESTIONS[0], free, *QUESTIONS[1:4]), JudgeOptions((Judge.CHECK,))))
+    assert [one.ruling for one in said] == [JudgeAnswer.KEPT, JudgeAnswer.NOT_DECIDED, *(3 * [JudgeAnswer.KEPT])]
+    assert "Captor" in said[1].reason
+    assert len(explored) == 1
+    [alone] = judge_mission(prepared, (free,), JudgeOptions((Judge.CHECK,)))
+    assert alone == said[1]
 
 
 @pytest.mark.parametrize(
