@@ -69,7 +69,7 @@ class ComparisonOptions:
     """
 
     seconds: float
-    states: int = 20_000
+    states: int = 5_000
     check_seconds: float = 0.25
     runs: int = 2
     moments: int = 2

@@ -31,6 +31,7 @@ from kitrobot.sim.event_text import Event
 from kitrobot.sim.recorder import Recorder
 from kitrobot.workspace.mission_run import PreparedRun, RunOptions
 from tests.effort import examples
+from tests.verifier.check_fixtures import mutant as mutant_of_transport
 
 SOURCES = {
     "ada": "Wheel.Advance(50); WAIT(10); Count.Add(1); WAIT(10); Count.Add(1); Wheel.Stop();",
@@ -206,6 +207,22 @@ def test_the_time_of_a_question_counts_alike_in_a_run_and_in_its_recording(
     assert [(one.question, one.ruling, one.tick) for one in (run, recording)] == 2 * [(question, ruling, tick)]
     if ruling is JudgeAnswer.NOT_DECIDED:
         assert run.reason == recording.reason == "the time of the run was up before the deadline"
+
+
+def test_an_event_that_breaks_a_property_has_one_tick_for_all_judges(tmp_path: Path) -> None:
+    stops = '<vertex id="v15" element="Wheel.Stop"/>'
+    opened = mutant_of_transport(tmp_path, (stops, stops.replace("Wheel.Stop", "Lamp.LightOn"))).opened
+    trace = tmp_path / "run.krtrace"
+    recorded = opened.prepare(RunOptions(1, 30.0, 0.0, trace))
+    tick = RunJudge(read_property("contact"), recorded.spec).answer(1, lambda: False).tick  # type: ignore[union-attr]
+    asked = ["contact", f"contact within {(tick + 1) / 50}", f"contact within {tick / 50}"]
+    watch = RunWatch(recorded.simulation, asked)
+    recorded.run(watch=watch.after_step)
+    for said in (watch.judgements(""), judge_recording(trace, asked)):
+        assert [one.tick for one in said] == [tick, tick, -1]
+        assert [one.ruling for one in said] == [JudgeAnswer.BROKEN, JudgeAnswer.BROKEN, JudgeAnswer.KEPT]
+    answers = [RunJudge(read_property(one), recorded.spec).answer(1, lambda: False) for one in asked]
+    assert [one is not None and one.holds for one in answers] == [False, False, True]
 
 
 def test_a_recording_of_another_mission_is_refused(tmp_path: Path) -> None:

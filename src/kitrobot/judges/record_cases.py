@@ -209,7 +209,7 @@ class ReadyCase:
             return replace(made, reason=reason)
         if one.seen_as:
             event = self.broken_by
-            if event is not None and event.tick <= last:
+            if event is not None and (within_s is None or event.tick < span.limit(within_s)):
                 agents = (span.header.agents[event.agent].name,) if event.agent >= 0 else ()
                 return replace(made.broken_at(event.tick), agents=agents)
             if span.header.real:

@@ -53,8 +53,9 @@ class RunWatch:
         for one in self._watched:
             if one.broken_at >= 0 or one.kept_at >= 0:
                 continue
-            if one.monitoring.violation() >= 0:
-                one.broken_at = self._run.tick
+            found = one.monitoring.violation()
+            if found >= 0:
+                one.broken_at = found
                 events.append(self._event(one))
             elif one.monitoring.is_kept:
                 one.kept_at = self._run.tick
