@@ -34,6 +34,9 @@ UNCHANGED = -1
 _MOST_ROBOT_SECONDS = 500.0
 _LONGEST_S, _SHORTEST_S = 60.0, 10.0
 
+_ASKED = 5
+"""Questions for a mutant besides the ready ones."""
+
 Row = dict[str, Any]
 _Task = tuple[str, int]
 
@@ -62,9 +65,11 @@ class MutatedMission:
         return self._made[number]
 
     def asked(self, number: int) -> list[str]:
-        """The questions for a mutant; the first ones, of which all judges are asked, are others for each."""
-        at = max(0, number) % len(self.questions)
-        return self.questions[at:] + self.questions[:at]
+        """The questions for a mutant, others for each; all of them for the mission as it is."""
+        if number == UNCHANGED:
+            return self.questions
+        at = number % len(self.questions)
+        return (self.questions[at:] + self.questions[:at])[:_ASKED]
 
 
 def judge_mutant(mission: MutatedMission, number: int, folder: Path, options: ComparisonOptions) -> Row | None:

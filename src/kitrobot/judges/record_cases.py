@@ -62,6 +62,10 @@ class RecordedSpan:
         is_over = self.last_tick > limit or (self.last_tick == limit and self.outcome is None)
         return (limit, "time") if is_over else (self.last_tick, self.outcome)
 
+    def has_end(self, within_s: float | None) -> bool:
+        """Whether it is known how the run ended, perhaps within so many seconds."""
+        return self.end_within(within_s)[1] is not None
+
     def is_early(self, within_s: float | None) -> bool:
         """Whether the time of the run was up before so many seconds had passed."""
         return within_s is not None and self.outcome == "time" and self.last_tick < self.limit(within_s)
@@ -74,6 +78,9 @@ class RecordedSpan:
 class RecordCase(Protocol):
     """A property while it is judged by a recording."""
 
+    def may_be_broken(self, span: RecordedSpan) -> bool:
+        """Whether it is worth asking for a judgement, which takes longer than a tick may."""
+
     def judgement(self, span: RecordedSpan) -> Judgement:
         """What is said of it, of what is recorded so far."""
 
@@ -85,6 +92,10 @@ class UndecidedCase:
     question: str
     words: Sentence
     reason: Sentence
+
+    def may_be_broken(self, span: RecordedSpan) -> bool:
+        """Never."""
+        return False
 
     def judgement(self, span: RecordedSpan) -> Judgement:
         """What is said of it."""
@@ -114,6 +125,10 @@ class ConditionCase:
     def is_open(self) -> bool:
         """Whether more ticks may decide it."""
         return not self.unknown and self.automaton.standing is PropertyState.OPEN
+
+    def may_be_broken(self, span: RecordedSpan) -> bool:
+        """Whether a tick, or the end, broke it."""
+        return self.automaton.standing is PropertyState.BROKEN or span.has_end(self.within_s)
 
     def judgement(self, span: RecordedSpan) -> Judgement:
         """What is said of it, of what is recorded so far."""
@@ -169,6 +184,10 @@ class OutcomeCase:
 
     text: PropertyText
 
+    def may_be_broken(self, span: RecordedSpan) -> bool:
+        """Whether the run has ended."""
+        return span.has_end(self.text.within_s)
+
     def judgement(self, span: RecordedSpan) -> Judgement:
         """What is said of it, of what is recorded so far."""
         text = self.text
@@ -198,6 +217,10 @@ class ReadyCase:
         if self.broken_by is None and self.property.seen_as:
             seen_as = self.property.seen_as
             self.broken_by = next((event for event in events if breaks_ready_property(event, seen_as)), None)
+
+    def may_be_broken(self, span: RecordedSpan) -> bool:
+        """Whether an event, or the end, broke it."""
+        return self.broken_by is not None or span.has_end(self.text.within_s)
 
     def judgement(self, span: RecordedSpan) -> Judgement:
         """What is said of it, of what is recorded so far."""

@@ -109,6 +109,8 @@ class RecordMonitor:
         self.end(record.tick, outcome)
         broken: list[Judgement] = []
         for case in tuple(self._unbroken):
+            if not case.may_be_broken(self._span):
+                continue
             found = case.judgement(self._span)
             if found.ruling is JudgeAnswer.BROKEN:
                 self._unbroken.remove(case)
