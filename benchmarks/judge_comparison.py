@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.experiments.run_question import RunJudge, ready_properties_of
+from kitrobot.experiments.run_question import RunAnswer, RunJudge, ready_properties_of
 from kitrobot.judges.judgement import Judge, JudgeAnswer, Judgement
 from kitrobot.judges.many_runs import FailureOptions
 from kitrobot.judges.mission_judges import JudgeOptions, judge_mission
@@ -79,12 +79,16 @@ class ComparisonOptions:
 
 @dataclass(frozen=True)
 class Disagreement:
-    """Two judges that do not agree on a question: which rule it is that they break, and what both say."""
+    """Two judges that do not agree on a question: which rule it is that they break, and what both say.
+
+    `known`: why it is known, as docs/check.md has it; "" for a fault.
+    """
 
     rule: str
     question: str
     first: str
     second: str
+    known: str = ""
 
 
 @dataclass
@@ -240,7 +244,7 @@ def check_disagreements(
             run, runs = said[Judge.RUN][question], said[Judge.RUNS].get(question)
             for other in (run, runs):
                 if other is not None and other.ruling is JudgeAnswer.BROKEN:
-                    yield from _if_it_lasts(prepared, check, other, stop)
+                    yield from _if_it_lasts(prepared, made, check, other, stop)
                     break
         elif check.ruling is JudgeAnswer.BROKEN and check.seed is not None and question in dear and not check.faults:
             answer = RunJudge(read_property(question), prepared.spec).answer(check.seed, stop)
@@ -249,14 +253,22 @@ def check_disagreements(
 
 
 def _if_it_lasts(
-    prepared: PreparedRun, check: Judgement, other: Judgement, stop: Callable[[], bool]
+    prepared: PreparedRun, made: Comparison, check: Judgement, other: Judgement, stop: Callable[[], bool]
 ) -> Iterator[Disagreement]:
     """A run that breaks what the check keeps; where that only is because its time was up, it is made longer."""
     seed = other.seed if other.seed is not None else 1
     longer = replace(prepared.spec, seconds=LONGEST_S)
     answer = RunJudge(read_property(check.question), longer).answer(seed, stop)
     if answer is not None and not answer.holds:
-        yield _between("what a check keeps in every order, no run breaks", check, other)
+        found = _between("what a check keeps in every order, no run breaks", check, other)
+        yield replace(found, known=_known(made, answer))
+
+
+def _known(made: Comparison, answer: RunAnswer) -> str:
+    """Why a run may break by its end what the check keeps; "" where it may not."""
+    if answer.sentence and any("read anything at any time" in limit for limit in made.limits):
+        return "a reading that may change at any time keeps the mission alive in the model"
+    return ""
 
 
 def _between(rule: str, first: Judgement, second: Judgement) -> Disagreement:

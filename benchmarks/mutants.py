@@ -134,10 +134,12 @@ def table(rows: Iterable[Row]) -> str:
     )
 
 
-def disagreements(rows: Iterable[Row]) -> Iterator[str]:
-    """All disagreements, in lines to read."""
+def disagreements(rows: Iterable[Row], *, known: bool) -> Iterator[str]:
+    """All disagreements that are faults, or all `known` ones, in lines to read."""
     for row in rows:
         for one in row["disagreements"]:
+            if bool(one["known"]) != known:
+                continue
             yield (
                 f"{row['mission']} {row['number']} ({row['operator'] or 'unchanged'}: {row['change']})\n"
                 f"  {one['rule']}: {one['question']}\n    {one['first']}\n    {one['second']}"
@@ -175,8 +177,9 @@ def main(arguments: list[str] | None = None) -> int:
             print(f"{count} mutants", end="\r", file=sys.stderr, flush=True)
             if count >= given.count:
                 break
-    told = list(disagreements(rows))
-    print(table(rows), *told, f"{len(told)} disagreements", sep="\n")
+    told = list(disagreements(rows, known=False))
+    known = len(list(disagreements(rows, known=True)))
+    print(table(rows), *told, f"{len(told)} disagreements, and {known} that are known", sep="\n")
     return 1 if told else 0
 
 

@@ -133,9 +133,12 @@ def mutants(opened: OpenMission, seed: int) -> Iterator[Mutant]:
             rows[mutation.operator].append((program, mutation))
     for row in rows.values():
         rng.shuffle(row)
+    # Of few mutants of each of many missions, all operators are to be among them.
+    turns = list(rows.values())
+    rng.shuffle(turns)
     texts: set[tuple[str, str]] = set()
-    while any(rows.values()):
-        for row in rows.values():
+    while any(turns):
+        for row in turns:
             # The next one of this operator that is a mutant.
             while row:
                 program, mutation = row.pop()

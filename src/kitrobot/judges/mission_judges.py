@@ -18,7 +18,7 @@ from kitrobot.judges.many_runs import FailureOptions, judge_failures, judge_runs
 from kitrobot.mission.property_forms import Form
 from kitrobot.mission.property_text import PropertyText, read_property
 from kitrobot.text.phrases import listed, shown
-from kitrobot.text.sentences import Sentence
+from kitrobot.text.sentences import COMMA, Sentence, Series
 from kitrobot.verifier.model.programs import AbstractionError
 from kitrobot.verifier.model.timing import Timing
 from kitrobot.verifier.properties.conditions import PropertyError
@@ -239,6 +239,8 @@ def _of_check(made: Judgement, found: Verification, name: str) -> Judgement:
             reason=Sentence("what it is about never comes, in {states} states", f"{states:,}"),
         )
     reason = Sentence("kept in every order of events, {states} states ({timings})", f"{states:,}", timings)
+    if found.limits:
+        reason = Sentence("{reason}; it is taken for granted: {limits}", reason, Series(COMMA, found.limits))
     return replace(made, ruling=JudgeAnswer.KEPT, reason=reason)
 
 
