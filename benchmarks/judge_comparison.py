@@ -23,12 +23,18 @@ from kitrobot.judges.run_watch import RunWatch
 from kitrobot.lll.printer import print_template
 from kitrobot.lll.tree import Call
 from kitrobot.lll.walk import nodes
+from kitrobot.mission.property_forms import AskedProperty, Form
 from kitrobot.mission.property_text import read_property
 from kitrobot.primitives.robot import Category, Kind
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.recorder import Recorder
 from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier.model.abstraction import abstract_run
+from kitrobot.verifier.model.model import Model
+from kitrobot.verifier.model.programs import AbstractionError
+from kitrobot.verifier.model.timing import Timing
+from kitrobot.verifier.properties.conditions import PropertyError
+from kitrobot.verifier.properties.custom_properties import build_custom_property, property_variables
 from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.mission_run import PreparedRun, RunOptions
 
@@ -70,10 +76,10 @@ class ComparisonOptions:
 
     seconds: float
     states: int = 5_000
-    check_seconds: float = 0.25
+    check_seconds: float = 1.0
     runs: int = 2
     moments: int = 2
-    dear: int = 3
+    dear: int = 2
     stop: Callable[[], bool] = lambda: False
 
 
@@ -112,6 +118,7 @@ def questions_of(opened: OpenMission, seed: int) -> list[str]:
     """What is asked of a mission besides its ready properties: its own ones, and forms of tests that it makes."""
     rng = random.Random(seed)
     tests = sorted(_tests(opened))
+    tests = _checked_tests(opened, tests) or tests
     own = [one.name for one in opened.mission.properties]
     if not tests:
         return [*own, "done within 60"]
@@ -140,6 +147,20 @@ def _tests(opened: OpenMission) -> set[str]:
             if isinstance(node, Call) and (node.object, node.method) in tests:
                 made.add(f"any {agent.name} ({print_template(node).strip().rstrip(';')})")
     return made or offered
+
+
+def _checked_tests(opened: OpenMission, tests: Sequence[str]) -> list[str]:
+    """Those of the tests that a check can decide: not of sensors that may read anything."""
+    run = opened.prepare(RunOptions(1, LONGEST_S)).simulation
+    asked = {one: AskedProperty("asked", Form.NEVER, one) for one in tests}
+    found: list[str] = []
+    with suppress(AbstractionError):
+        model = Model(run, abstract_run(run, property_variables(run, [*asked.values()])), 0, Timing.LOCKSTEP)
+        for test, one in asked.items():
+            with suppress(PropertyError):
+                build_custom_property(model, one)
+                found.append(test)
+    return found
 
 
 def compare(opened: OpenMission, questions: Sequence[str], folder: Path, options: ComparisonOptions) -> Comparison:

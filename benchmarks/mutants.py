@@ -85,6 +85,7 @@ def judge_mutant(mission: MutatedMission, number: int, folder: Path, options: Co
     began = time.process_time()
     made: Comparison = compare(opened, mission.asked(number), folder, options)
     return row | {
+        "seconds": mission.seconds,
         "outcome": made.outcome,
         "said": made.rulings(),
         "disagreements": [asdict(one) for one in made.disagreements],
@@ -154,7 +155,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--seed", type=int, default=1, help="where chance begins (1)")
     parser.add_argument("--jobs", type=int, default=cores(), help="so many processes; one for each core")
     parser.add_argument("--minutes", type=float, default=60.0, help="leaves off after so long (60)")
-    parser.add_argument("--each", type=float, default=12.0, help="seconds for one mutant at most (12)")
+    parser.add_argument("--each", type=float, default=12.0, help="seconds of processor time for one mutant, about (12)")
     given = parser.parse_args(arguments)
     rows = _read_rows(given.rows)
     ends = time.monotonic() + 60 * given.minutes
@@ -202,8 +203,8 @@ def _work(task: _Task) -> Row | None:
     if name not in known:
         known[name] = MutatedMission(name, seed)
     mission = known[name]
-    ends = time.monotonic() + each
-    options = ComparisonOptions(mission.seconds, stop=lambda: leave_off.is_set() or time.monotonic() > ends)
+    ends = time.process_time() + each
+    options = ComparisonOptions(mission.seconds, stop=lambda: leave_off.is_set() or time.process_time() > ends)
     return judge_mutant(mission, number, Path(folder.name), options)
 
 
