@@ -101,12 +101,12 @@ def missions() -> list[str]:
 
 
 def found_by(row: Row, unchanged: Row) -> set[str]:
-    """The judges that find what is wrong in a mutant."""
+    """The judges that find what is wrong in a mutant, by questions that they were asked of the mission unchanged too."""
     return {
         judge
         for judge, rulings in row["said"].items()
         if any(
-            ruling == "broken" and unchanged["said"].get(judge, {}).get(question) != "broken"
+            ruling == "broken" and unchanged["said"].get(judge, {}).get(question, "broken") != "broken"
             for question, ruling in rulings.items()
         )
     }

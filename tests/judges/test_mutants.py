@@ -67,7 +67,10 @@ def test_a_judge_finds_what_it_did_not_say_of_the_mission_unchanged(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     head = {"mission": "a.krt", "operator": "", "change": "", "disagreements": []}
-    unchanged = head | {"number": UNCHANGED, "said": {"run": {"done": "kept", "end": "broken"}, "check": {}}}
+    unchanged = head | {
+        "number": UNCHANGED,
+        "said": {"run": {"done": "kept", "end": "broken"}, "check": {"end": "kept"}},
+    }
     worse = head | {"number": 0, "operator": "swap", "said": {"run": {"done": "broken"}, "check": {"end": "broken"}}}
     same = head | {"number": 1, "operator": "drop", "said": {"run": {"done": "kept", "end": "broken"}, "check": {}}}
     assert found_by(worse, unchanged) == {"run", "check"}
