@@ -101,7 +101,7 @@ def missions() -> list[str]:
 
 
 def found_by(row: Row, unchanged: Row) -> set[str]:
-    """The judges that find what is wrong in a mutant, by questions that they were asked of the mission unchanged too."""
+    """The judges that find what is wrong in a mutant, by questions that the unchanged one was asked too."""
     return {
         judge
         for judge, rulings in row["said"].items()
