@@ -119,7 +119,7 @@ def test_the_run_that_a_page_sees_has_what_breaks_among_its_events(tmp_path: Pat
         run.step()
     assert said == ["the property `done within 0.1` is broken at 0.10 s"]
     assert [(one.tick, one.text) for one in source.new_events(99).events if one.kind == "message"] == [
-        (6, "the property done within 0.1 is broken")
+        (5, "the property done within 0.1 is broken")
     ]
     source.finish("stopped", "")
     source.close()

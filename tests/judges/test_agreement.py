@@ -16,7 +16,10 @@ import pytest
 
 import kitrobot
 from kitrobot import OpenMission
+from kitrobot.checking.verification import VerificationOptions, verify
+from kitrobot.checking.verification_result import Verification
 from kitrobot.experiments.run_question import RunJudge
+from kitrobot.judges import mission_judges
 from kitrobot.judges.judgement import Judge, JudgeAnswer, Judgement
 from kitrobot.judges.many_runs import FailureOptions
 from kitrobot.judges.mission_judges import JudgeOptions, judge_mission
@@ -26,8 +29,9 @@ from kitrobot.judges.run_watch import RunWatch
 from kitrobot.mission.property_text import read_property
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.recorder import Recorder
-from kitrobot.workspace.mission_run import RunOptions
+from kitrobot.workspace.mission_run import PreparedRun, RunOptions
 from tests.effort import examples
+from tests.verifier.check_fixtures import mutant as mutant_of_transport
 
 SOURCES = {
     "ada": "Wheel.Advance(50); WAIT(10); Count.Add(1); WAIT(10); Count.Add(1); Wheel.Stop();",
@@ -156,6 +160,69 @@ def test_what_a_judge_finds_in_a_mission_with_a_mistake_the_others_find_too(tmp_
     assert (
         found[Judge.RUN] == found[Judge.RECORDING] == found[Judge.TEAM] == found[Judge.RUNS] <= found[Judge.FAILURES]
     ), found
+
+
+def test_questions_are_checked_together_also_where_one_is_none_for_a_check(monkeypatch: pytest.MonkeyPatch) -> None:
+    explored: list[VerificationOptions] = []
+
+    def counted(prepared: PreparedRun, options: VerificationOptions) -> Verification:
+        made = verify(prepared, options)
+        if options.states != 1:
+            explored.append(options)
+        return made
+
+    monkeypatch.setattr(mission_judges, "verify", counted)
+    prepared = opened_mission(SOURCES).prepare(RunOptions(1, 30.0))
+    free = "eventually any ada (Captor.LessThan(30))"
+    said = list(judge_mission(prepared, (QUESTIONS[0], free, *QUESTIONS[1:4]), JudgeOptions((Judge.CHECK,))))
+    assert [one.ruling for one in said] == [JudgeAnswer.KEPT, JudgeAnswer.NOT_DECIDED, *(3 * [JudgeAnswer.KEPT])]
+    assert "Captor" in said[1].reason
+    assert len(explored) == 1
+    [alone] = judge_mission(prepared, (free,), JudgeOptions((Judge.CHECK,)))
+    assert alone == said[1]
+
+
+@pytest.mark.parametrize(
+    ("question", "ruling", "tick"),
+    [
+        ("delivered within 2", JudgeAnswer.BROKEN, 100),
+        ("delivered within 2.01", JudgeAnswer.BROKEN, 101),
+        ("delivered within 3", JudgeAnswer.BROKEN, 150),
+        ("delivered within 3.02", JudgeAnswer.NOT_DECIDED, -1),
+        ("done within 0.58", JudgeAnswer.BROKEN, 29),
+        ("done within 60", JudgeAnswer.NOT_DECIDED, -1),
+        ("time within 3", JudgeAnswer.KEPT, -1),
+        ("deadlock within 60", JudgeAnswer.KEPT, -1),
+    ],
+)
+def test_the_time_of_a_question_counts_alike_in_a_run_and_in_its_recording(
+    question: str, ruling: JudgeAnswer, tick: int, tmp_path: Path
+) -> None:
+    trace = tmp_path / "run.krtrace"
+    recorded = kitrobot.open_mission("transport").prepare(RunOptions(1, 3.0, 0.0, trace))
+    watch = RunWatch(recorded.simulation, [question])
+    recorded.run(watch=watch.after_step)
+    [run] = watch.judgements("")
+    [recording] = judge_recording(trace, [question])
+    assert [(one.question, one.ruling, one.tick) for one in (run, recording)] == 2 * [(question, ruling, tick)]
+    if ruling is JudgeAnswer.NOT_DECIDED:
+        assert run.reason == recording.reason == "the time of the run was up before the deadline"
+
+
+def test_an_event_that_breaks_a_property_has_one_tick_for_all_judges(tmp_path: Path) -> None:
+    stops = '<vertex id="v15" element="Wheel.Stop"/>'
+    opened = mutant_of_transport(tmp_path, (stops, stops.replace("Wheel.Stop", "Lamp.LightOn"))).opened
+    trace = tmp_path / "run.krtrace"
+    recorded = opened.prepare(RunOptions(1, 30.0, 0.0, trace))
+    tick = RunJudge(read_property("contact"), recorded.spec).answer(1, lambda: False).tick  # type: ignore[union-attr]
+    asked = ["contact", f"contact within {(tick + 1) / 50}", f"contact within {tick / 50}"]
+    watch = RunWatch(recorded.simulation, asked)
+    recorded.run(watch=watch.after_step)
+    for said in (watch.judgements(""), judge_recording(trace, asked)):
+        assert [one.tick for one in said] == [tick, tick, -1]
+        assert [one.ruling for one in said] == [JudgeAnswer.BROKEN, JudgeAnswer.BROKEN, JudgeAnswer.KEPT]
+    answers = [RunJudge(read_property(one), recorded.spec).answer(1, lambda: False) for one in asked]
+    assert [one is not None and one.holds for one in answers] == [False, False, True]
 
 
 def test_a_recording_of_another_mission_is_refused(tmp_path: Path) -> None:

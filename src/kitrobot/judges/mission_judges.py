@@ -18,7 +18,7 @@ from kitrobot.judges.many_runs import FailureOptions, judge_failures, judge_runs
 from kitrobot.mission.property_forms import Form
 from kitrobot.mission.property_text import PropertyText, read_property
 from kitrobot.text.phrases import listed, shown
-from kitrobot.text.sentences import Sentence
+from kitrobot.text.sentences import COMMA, Sentence, Series
 from kitrobot.verifier.model.programs import AbstractionError
 from kitrobot.verifier.model.timing import Timing
 from kitrobot.verifier.properties.conditions import PropertyError
@@ -120,6 +120,9 @@ def _judge_run(prepared: PreparedRun, question: PropertyText, judge: RunJudge, o
     return made.kept_at(answer.tick) if answer.holds else made.broken_at(answer.tick)
 
 
+_Refusal = (PropertyError, AbstractionError, VerificationError)
+
+
 class _CheckCache:
     """The check of several properties: one exploration for all of them, when the first one is asked for."""
 
@@ -127,7 +130,8 @@ class _CheckCache:
         self._prepared, self._options = prepared, options
         self._questions = [one for one in questions if _check_refusal(prepared, one) is None]
         self._found: Verification | None = None
-        self._are_single = False
+        self._refusals: dict[str, Sentence] = {}
+        """Of questions that turned out to be none for a check: why."""
 
     def judgement(self, question: PropertyText, words: Sentence) -> Judgement:
         """What the check says of one of the properties."""
@@ -135,32 +139,44 @@ class _CheckCache:
         refusal = _check_refusal(self._prepared, question)
         if refusal is not None:
             return replace(made, reason=refusal)
+        self._explore_once()
+        if question.text in self._refusals:
+            return replace(made, reason=self._refusals[question.text])
+        assert self._found is not None, "what is not refused was checked"
+        return _of_check(made, self._found, question.name or question.text)
+
+    def _explore_once(self) -> None:
+        if self._found is not None or all(one.text in self._refusals for one in self._questions):
+            return
         try:
-            found = self._verify([question]) if self._are_single else self._all()
-        except (PropertyError, AbstractionError, VerificationError) as error:
-            if self._are_single or len(self._questions) == 1:
-                return replace(made, reason=error.message)
-            # One of them cannot be checked: each is by itself then.
-            self._are_single = True
-            return self.judgement(question, words)
-        return _of_check(made, found, question.name or question.text)
-
-    def _all(self) -> Verification:
-        if self._found is None:
             self._found = self._verify(self._questions)
-        return self._found
+        except _Refusal as error:
+            if len(self._questions) == 1:
+                self._refusals[self._questions[0].text] = error.message
+                return
+            # One of them cannot be checked; that is known before anything is explored.
+            for one in self._questions:
+                try:
+                    self._verify([one], is_tried=True)
+                except _Refusal as refused:
+                    self._refusals[one.text] = refused.message
+            rest = [one for one in self._questions if one.text not in self._refusals]
+            if rest:
+                self._found = self._verify(rest)
 
-    def _verify(self, questions: Sequence[PropertyText]) -> Verification:
+    def _verify(self, questions: Sequence[PropertyText], *, is_tried: bool = False) -> Verification:
+        """The check of these; `is_tried`: of one state, to see whether they can be asked."""
         options = self._options
         return verify(
             self._prepared,
             VerificationOptions(
                 tuple(one.name for one in questions if one.name),
                 options.timings,
-                states=options.states,
+                states=1 if is_tried else options.states,
                 seconds=options.check_seconds * len(questions),
+                confirms=not is_tried,
                 stop=options.stop,
-                explains=True,
+                explains=not is_tried,
                 asked=tuple(replace(one.asked, name=one.text) for one in questions if one.asked is not None),
             ),
         )
@@ -223,6 +239,8 @@ def _of_check(made: Judgement, found: Verification, name: str) -> Judgement:
             reason=Sentence("what it is about never comes, in {states} states", f"{states:,}"),
         )
     reason = Sentence("kept in every order of events, {states} states ({timings})", f"{states:,}", timings)
+    if found.limits:
+        reason = Sentence("{reason}; it is taken for granted: {limits}", reason, Series(COMMA, found.limits))
     return replace(made, ruling=JudgeAnswer.KEPT, reason=reason)
 
 

@@ -5,6 +5,7 @@ A case reads nothing itself: `record_monitor` gives it what was recorded.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from typing import Protocol
@@ -22,6 +23,9 @@ from kitrobot.verifier.properties.ready_monitors import waited_long_enough
 
 _SURE_IN_GAPS = (Form.NEVER, Form.AT_MOST)
 """The forms that stay broken whatever happened in ticks that are missing."""
+_ROUNDING = 1e-9
+"""Of a tick: seconds are decimal numbers."""
+_EARLY = Sentence("the time of the run was up before the deadline")
 
 
 @dataclass
@@ -46,6 +50,26 @@ class RecordedSpan:
         ruling = JudgeAnswer.NOT_DECIDED
         return Judgement(self.judge, self.subject, question, words, ruling, reason, tick_ms=self.header.tick_ms)
 
+    def limit(self, within_s: float) -> int:
+        """The last tick of so many seconds, as of a run with that time limit."""
+        return max(1, math.ceil(within_s * 1000 / self.header.tick_ms - _ROUNDING))
+
+    def end_within(self, within_s: float | None) -> tuple[int, str | None]:
+        """The last tick that counts, and the outcome by then: `time` where the run went on behind so many seconds."""
+        if within_s is None:
+            return self.last_tick, self.outcome
+        limit = self.limit(within_s)
+        is_over = self.last_tick > limit or (self.last_tick == limit and self.outcome is None)
+        return (limit, "time") if is_over else (self.last_tick, self.outcome)
+
+    def has_end(self, within_s: float | None) -> bool:
+        """Whether it is known how the run ended, perhaps within so many seconds."""
+        return self.end_within(within_s)[1] is not None
+
+    def is_early(self, within_s: float | None) -> bool:
+        """Whether the time of the run was up before so many seconds had passed."""
+        return within_s is not None and self.outcome == "time" and self.last_tick < self.limit(within_s)
+
     def moment(self, tick: int) -> str:
         """The seconds of a tick."""
         return f"{tick * self.header.tick_ms / 1000:.2f}"
@@ -53,6 +77,9 @@ class RecordedSpan:
 
 class RecordCase(Protocol):
     """A property while it is judged by a recording."""
+
+    def may_be_broken(self, span: RecordedSpan) -> bool:
+        """Whether it is worth asking for a judgement, which takes longer than a tick may."""
 
     def judgement(self, span: RecordedSpan) -> Judgement:
         """What is said of it, of what is recorded so far."""
@@ -65,6 +92,10 @@ class UndecidedCase:
     question: str
     words: Sentence
     reason: Sentence
+
+    def may_be_broken(self, span: RecordedSpan) -> bool:
+        """Never."""
+        return False
 
     def judgement(self, span: RecordedSpan) -> Judgement:
         """What is said of it."""
@@ -95,12 +126,14 @@ class ConditionCase:
         """Whether more ticks may decide it."""
         return not self.unknown and self.automaton.standing is PropertyState.OPEN
 
+    def may_be_broken(self, span: RecordedSpan) -> bool:
+        """Whether a tick, or the end, broke it."""
+        return self.automaton.standing is PropertyState.BROKEN or span.has_end(self.within_s)
+
     def judgement(self, span: RecordedSpan) -> Judgement:
         """What is said of it, of what is recorded so far."""
         asked, automaton = self.asked, self.automaton
-        words = asked.words
-        if self.within_s is not None:
-            words = Sentence("{question}, within {seconds} s", words, f"{self.within_s:g}")
+        words = _with_time(asked.words, self.within_s)
         names = tuple(span.header.agents[i].name for i in self.agents)
         made = replace(span.undecided(self.question, words, Sentence("")), agents=names)
         if self.unknown:
@@ -118,9 +151,7 @@ class ConditionCase:
 
     def _of_end(self, span: RecordedSpan, made: Judgement) -> Judgement:
         """Of a property that was still open when the recording, or the time that is looked at, ended."""
-        automaton, last, outcome = self.automaton, span.last_tick, span.outcome
-        if self.within_s is not None and last * span.header.tick_ms >= self.within_s * 1000:
-            last, outcome = int(self.within_s * 1000 / span.header.tick_ms + 1e-9), "time"
+        automaton, (last, outcome) = self.automaton, span.end_within(self.within_s)
         if self.gap:
             return replace(made, reason=self._missing_ticks())
         if not automaton.is_broken_by_end():
@@ -132,7 +163,7 @@ class ConditionCase:
             reason = Sentence("the recording ends, and what is waited for since {seconds} s may still come", since)
             return replace(made, reason=reason)
         if outcome == "time" and automaton.deadline is not None:
-            return replace(made, reason=Sentence("the time of the run was up before the deadline"))
+            return replace(made, reason=_EARLY)
         if not waited_long_enough(outcome, last, automaton.waits_since):
             reason = Sentence("the time of the run was up, and it waited only since {seconds} s", since)
             return replace(made, reason=reason)
@@ -153,17 +184,18 @@ class OutcomeCase:
 
     text: PropertyText
 
+    def may_be_broken(self, span: RecordedSpan) -> bool:
+        """Whether the run has ended."""
+        return span.has_end(self.text.within_s)
+
     def judgement(self, span: RecordedSpan) -> Judgement:
         """What is said of it, of what is recorded so far."""
         text = self.text
-        words = Sentence("a run ends with the outcome {outcome}", text.name)
+        words = _with_time(Sentence("a run ends with the outcome {outcome}", text.name), text.within_s)
         made = span.undecided(text.text, words, Sentence(""))
-        outcome, last = span.outcome, span.last_tick
-        limit = None if text.within_s is None else text.within_s * 1000 / span.header.tick_ms
-        if limit is not None:
-            made = replace(made, words=Sentence("{question}, within {seconds} s", words, f"{text.within_s:g}"))
-            if last > limit:
-                outcome, last = "time", int(limit)
+        last, outcome = span.end_within(text.within_s)
+        if span.is_early(text.within_s):
+            return replace(made, reason=_EARLY)
         if outcome is None:
             return replace(made, reason=Sentence("the recording ends before the run does"))
         reason = Sentence("the run ended at {seconds} s with the outcome {outcome}", span.moment(last), outcome)
@@ -176,6 +208,7 @@ class OutcomeCase:
 class ReadyCase:
     """A property that every mission has. `broken_by`: the first event that breaks it."""
 
+    text: PropertyText
     property: Property
     broken_by: TraceEvent | None = field(default=None)
 
@@ -185,17 +218,21 @@ class ReadyCase:
             seen_as = self.property.seen_as
             self.broken_by = next((event for event in events if breaks_ready_property(event, seen_as)), None)
 
+    def may_be_broken(self, span: RecordedSpan) -> bool:
+        """Whether an event, or the end, broke it."""
+        return self.broken_by is not None or span.has_end(self.text.within_s)
+
     def judgement(self, span: RecordedSpan) -> Judgement:
         """What is said of it, of what is recorded so far."""
-        one = self.property
-        made = span.undecided(one.name, one.sentence, Sentence(""))
-        outcome = span.outcome
+        one, within_s = self.property, self.text.within_s
+        made = span.undecided(self.text.text, _with_time(one.sentence, within_s), Sentence(""))
+        last, outcome = span.end_within(within_s)
         if one.monitor is not None:
             reason = Sentence("a recording does not hold what this is decided by; ask a run")
             return replace(made, reason=reason)
         if one.seen_as:
             event = self.broken_by
-            if event is not None:
+            if event is not None and (within_s is None or event.tick < span.limit(within_s)):
                 agents = (span.header.agents[event.agent].name,) if event.agent >= 0 else ()
                 return replace(made.broken_at(event.tick), agents=agents)
             if span.header.real:
@@ -203,11 +240,16 @@ class ReadyCase:
             return replace(made, ruling=JudgeAnswer.KEPT, reason=Sentence("kept in all that was recorded"))
         if outcome is None:
             return replace(made, reason=Sentence("the recording ends before the run does"))
+        if span.is_early(within_s) and outcome in one.ends_as:
+            return replace(made, reason=_EARLY)
         if outcome == "failed" and one.spares_teams and span.header.plan is not None:
             return replace(made, reason=Sentence("the recording does not say whether the team gave up"))
-        reason = Sentence(
-            "the run ended at {seconds} s with the outcome {outcome}", span.moment(span.last_tick), outcome
-        )
+        reason = Sentence("the run ended at {seconds} s with the outcome {outcome}", span.moment(last), outcome)
         if outcome in one.ends_as:
-            return replace(made, ruling=JudgeAnswer.BROKEN, reason=reason, tick=span.last_tick)
+            return replace(made, ruling=JudgeAnswer.BROKEN, reason=reason, tick=last)
         return replace(made, ruling=JudgeAnswer.KEPT, reason=reason)
+
+
+def _with_time(words: Sentence, within_s: float | None) -> Sentence:
+    """What is demanded, with the time that the question sets."""
+    return words if within_s is None else Sentence("{question}, within {seconds} s", words, f"{within_s:g}")

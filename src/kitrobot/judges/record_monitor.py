@@ -109,6 +109,8 @@ class RecordMonitor:
         self.end(record.tick, outcome)
         broken: list[Judgement] = []
         for case in tuple(self._unbroken):
+            if not case.may_be_broken(self._span):
+                continue
             found = case.judgement(self._span)
             if found.ruling is JudgeAnswer.BROKEN:
                 self._unbroken.remove(case)
@@ -122,17 +124,17 @@ class RecordMonitor:
 
     def read_values(self, record: TickRecord) -> None:
         """Takes in the values of a tick from 1 on; ticks ascend."""
-        header, tick = self._header, record.tick
+        tick = record.tick
         expected, self._expected = self._expected, tick + 1
         self._gaps += tick - expected
         self._record = record
         for i in {i for case in self._open for i in case.agents}:
             self._agents[i].update(record)
         for case in self._open:
-            limit_ms = None if case.within_s is None else case.within_s * 1000
-            if limit_ms is None or expected * header.tick_ms <= limit_ms:
+            limit = tick if case.within_s is None else self._span.limit(case.within_s)
+            if expected <= limit:
                 case.gap = self._gaps
-            if limit_ms is None or tick * header.tick_ms <= limit_ms:
+            if tick <= limit:
                 case.automaton.read(tick, [self._decided.holds(one) for one in case.conditions])
         self._open = [case for case in self._open if case.is_open]
 
@@ -174,7 +176,9 @@ class RecordMonitor:
                 cases.append(UndecidedCase(one.name, one.words, error.message))
         if ready:
             with suppress(KitRobotError):
-                cases += [ReadyCase(one) for one in ready_properties_of(self._simulation())]
+                cases += [
+                    ReadyCase(PropertyText(one.name, one.name), one) for one in ready_properties_of(self._simulation())
+                ]
         return cases
 
     def _case(self, text: PropertyText) -> RecordCase:
@@ -183,7 +187,7 @@ class RecordMonitor:
             return self._asked(replace(text, asked=text.asked or own))
         if text.name in OUTCOMES:
             return OutcomeCase(text)
-        return ReadyCase(find_ready_property(text.name, self._simulation()))
+        return ReadyCase(text, find_ready_property(text.name, self._simulation()))
 
     def _simulation(self) -> Simulation:
         """A run of the mission, of which the ready properties are asked that fit it."""

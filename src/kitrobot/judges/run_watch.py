@@ -53,8 +53,9 @@ class RunWatch:
         for one in self._watched:
             if one.broken_at >= 0 or one.kept_at >= 0:
                 continue
-            if one.monitoring.violation() >= 0:
-                one.broken_at = self._run.tick
+            found = one.monitoring.violation()
+            if found >= 0:
+                one.broken_at = found
                 events.append(self._event(one))
             elif one.monitoring.is_kept:
                 one.kept_at = self._run.tick
@@ -65,11 +66,19 @@ class RunWatch:
         return events
 
     def _at_end(self, one: _WatchedProperty, outcome: str) -> list[Event]:
+        if self._is_early(one):
+            return []
         if one.monitoring.is_broken_by_end(outcome) == one.property.is_reversed:
             one.kept_at = self._run.tick
             return []
         one.broken_at = self._run.tick
         return [self._event(one)]
+
+    def _is_early(self, one: _WatchedProperty) -> bool:
+        """Whether the time of the run was up before that of a question about its end."""
+        run, within_s = self._run, one.within_s
+        asks_for_end = "time" in one.property.property.ends_as or one.property.is_reversed
+        return asks_for_end and run.outcome == "time" and within_s is not None and run.seconds < within_s
 
     def _event(self, one: _WatchedProperty) -> Event:
         return Event(self._run.tick, "message", "", break_text(one.question), -1, "program")
@@ -81,6 +90,8 @@ class RunWatch:
     def _judgement(self, one: _WatchedProperty, subject: str) -> Judgement:
         run = self._run
         reason = Sentence("the run goes on")
+        if self._is_early(one):
+            reason = Sentence("the time of the run was up before the deadline")
         made = Judgement(
             Judge.RUN,
             subject,
