@@ -79,20 +79,20 @@ function show(): void {
   robots({ mission: given.mission, path, holder: state.you, addresses: boards.map(({ address }) => address) });
 }
 
-/** From now on the page shows robots that run; once is enough. */
+/** From now on the page shows robots that run. */
 export function keepShown(): void {
-  if (useShown.getState().kept) return;
   useShown.setState({ kept: true });
-  useBoards.subscribe(({ boards, team }, before) => {
-    if (boards === before.boards && team === before.team) return;
-    const running = Object.values(boards).filter(isRunning).length + Number(team?.phase === "running");
-    setRunning(running);
-    show();
-  });
-  useRun.subscribe(({ name }, before) => {
-    if (name !== before.name) show();
-  });
-  useStudio.subscribe(({ file }, before) => {
-    if (file.path !== before.file.path) show();
-  });
 }
+
+useBoards.subscribe(({ boards, team }, before) => {
+  if (!useShown.getState().kept || (boards === before.boards && team === before.team)) return;
+  const running = Object.values(boards).filter(isRunning).length + Number(team?.phase === "running");
+  setRunning(running);
+  show();
+});
+useRun.subscribe(({ name }, before) => {
+  if (useShown.getState().kept && name !== before.name) show();
+});
+useStudio.subscribe(({ file }, before) => {
+  if (useShown.getState().kept && file.path !== before.file.path) show();
+});
