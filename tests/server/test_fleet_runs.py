@@ -6,6 +6,7 @@ import contextlib
 import json
 import os
 import signal
+import re
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
@@ -188,7 +189,8 @@ def test_a_pulled_cable_and_a_board_of_another_program_are_told_beside_their_age
             page.send("connect", cable.address, mission=page.mission, path=PATH, program="convoy")
             assert "The team has" in page.until("refused")["message"]
             lost = page.team(lambda said: said["agents"][1]["failed"])
-            assert "the line to" in lost["agents"][1]["message"].lower()
+            # On a slow machine the board misses its link before the agent misses the line.
+            assert re.search("the line to|the link was lost", lost["agents"][1]["message"].lower())
             events: list[dict[str, Any]] = []
             while not any("takes over for robot-2" in event["text"].lower() for event in events):
                 events += run.until("tick")["events"]
