@@ -5,8 +5,8 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import signal
 import re
+import signal
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
