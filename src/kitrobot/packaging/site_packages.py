@@ -31,7 +31,8 @@ _OURS: Final = ("kitrobot", "kitrobot_onboard")
 _ONBOARD: Final = "kitrobot_onboard/"
 _LEFT_OUT: Final = (
     *("kitrobot/cli/", "kitrobot/server/static/", "kitrobot/examples/", "kitrobot/packaging/site_files/"),
-    "kitrobot/primitives/schemas/",
+    *("kitrobot/primitives/schemas/", "kitrobot/behaviour_trees/", "kitrobot/workspace/behaviour_trees.py"),
+    "kitrobot/workspace/conversion.py",
 )
 _NOT_USED: Final = (
     *("anyio/pytest_plugin.py", "anyio/_backends/_trio.py", "pydantic/mypy.py", "pydantic/v1/", "fastapi/cli.py"),
@@ -43,6 +44,8 @@ _NOT_USED: Final = (
 _ABOUT: Final = ("licen", "copying", "notice", "/metadata", "/entry_points.txt")
 """What is taken of what a package says of itself: licences, and what packages look one another up by."""
 _METADATA: Final = ".dist-info/METADATA"
+_COMMENT: Final = re.compile(rb"^#.*\n", re.MULTILINE)
+"""Of a catalogue of translations: where a sentence stands in the sources."""
 
 
 def packages(wheel: Path) -> tuple[bytes, dict[str, bytes]]:
@@ -58,6 +61,8 @@ def packages(wheel: Path) -> tuple[bytes, dict[str, bytes]]:
             # What is put onto boards goes there as it is.
             if name.endswith(".py") and not name.startswith(_ONBOARD):
                 data = without_texts(data)
+            elif name.endswith(".po"):
+                data = _COMMENT.sub(b"", data)
             elif name.endswith(EXERCISE_ENDING):
                 # Whoever grades has the exercises; a page is for pupils.
                 data = remove_hidden_parts(data, name)

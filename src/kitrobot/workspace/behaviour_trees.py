@@ -16,9 +16,6 @@ from kitrobot.lll.printer import print_program
 from kitrobot.lll.tree import Seq
 from kitrobot.primitives.robot import Robot
 
-TREE_ELEMENT = "root"
-"""The first element of a file of behaviour trees."""
-
 
 @dataclass(frozen=True)
 class ReadTree:

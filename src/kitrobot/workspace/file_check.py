@@ -25,7 +25,6 @@ from kitrobot.primitives.robot import Robot
 from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.text.sentences import Sentence
 from kitrobot.tutorial.tutorial_xml import read_tutorial
-from kitrobot.workspace.behaviour_trees import TREE_ELEMENT, tree_problems
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
 from kitrobot.workspace.kit_files import wiring_problems
 from kitrobot.workspace.mission_loader import open_mission
@@ -40,6 +39,8 @@ UNKNOWN_KIND = rule(
     " and XML whose first element is <robot>, <board>, <constructors>, <world>, <tutorial>, <exercise>, <kitrobot>, or"
     " <root> of a behaviour tree.",
 )
+TREE_ELEMENT = "root"
+"""The first element of a file of behaviour trees."""
 UNUSABLE = rule(
     "image-unusable",
     Severity.ERROR,
@@ -118,6 +119,8 @@ def _text(path: Path, robot: Robot | None) -> FileReport:
 def _tree(
     data: bytes, name: str, robot: Robot | None
 ) -> tuple[tuple[Diagnostic, ...], tuple[Source, ...], tuple[str, ...]]:
+    from kitrobot.workspace.behaviour_trees import tree_problems
+
     found, sources = tree_problems(data, name, robot)
     return tuple(found), sources, (_syntax_only(name),) if robot is None else ()
 
