@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from kitrobot.checking.verification import MOST_FAILURES, VerificationError
+from kitrobot.checking.verification import require_failures
 from kitrobot.mission.trial import FailureKind
-from kitrobot.text.sentences import Sentence
 from kitrobot.verifier.model.abstraction import abstract_run
 from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.model.table_builder import USUAL_KINDS
@@ -36,8 +35,7 @@ def begin_walk(
         AbstractionError: the mission cannot be checked, so it has no states.
         StateWalkError: the mission is too large for a model.
     """
-    if not 0 <= failures <= MOST_FAILURES:
-        raise VerificationError(Sentence("a check takes 0 to {most} failures", MOST_FAILURES))
+    require_failures(failures)
     run = prepared.spec.simulation(prepared.options.seed)
     asked = run.mission.properties
     model = Model(run, abstract_run(run, property_variables(run, asked)), failures, timing, kinds)

@@ -126,8 +126,7 @@ def verify_runs(
     `column_done` is told every column when it has been explored, and where something is broken once more when the
     simulator was looked through.
     """
-    if not 0 <= options.failures <= MOST_FAILURES:
-        raise VerificationError(Sentence("a check takes 0 to {most} failures", MOST_FAILURES))
+    require_failures(options.failures)
     cores = _usable(options.cores)
     run = runs(seed)
     asked = run.mission.properties
@@ -168,6 +167,16 @@ def verify_runs(
                 column_done(column)
         columns.append(column)
     return Verification(run.tick_ms, tuple(limits), tuple(columns), options.kinds)
+
+
+def require_failures(count: int) -> None:
+    """Refuses a number of failures in one run that a check does not take.
+
+    Raises:
+        VerificationError: it is not 0 to `MOST_FAILURES`.
+    """
+    if not 0 <= count <= MOST_FAILURES:
+        raise VerificationError(Sentence("a check takes 0 to {most} failures", MOST_FAILURES))
 
 
 def _usable(cores: int | None) -> int:

@@ -166,12 +166,8 @@ class StateWalk:
 
     def describe_situation(self) -> tuple[Sentence, ...]:
         """What there is to say of the state as a whole: what is broken, and whether anything can still happen."""
-        return tuple(self._situation())
-
-    def _situation(self) -> list[Sentence]:
         said = []
-        broken = self._broken_before()
-        for number, one in broken:
+        for number, one in self._broken_before():
             if number == 0:
                 said.append(Sentence("the first state breaks `{property}`: {sentence}", one.name, one.sentence))
             else:
@@ -183,7 +179,7 @@ class StateWalk:
                 said.append(Sentence("nothing more happens by itself, and the mission is not done"))
         elif self.state in self._states[:-1]:
             said.append(Sentence("this is state {number} again", self._states.index(self.state)))
-        return said
+        return tuple(said)
 
     def describe_robots(self) -> tuple[RobotFacts, ...]:
         """The robots in the state, in the order of the team."""

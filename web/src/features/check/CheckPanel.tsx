@@ -11,7 +11,7 @@ import { Row } from "../../ui/Row";
 import { Select } from "../../ui/Select";
 import { AnswerTable } from "./AnswerTable";
 import { BrokenRun } from "./BrokenRun";
-import { kindChoices, kindsOf, USUAL, valueOf } from "./kinds";
+import { FAILURE_COUNTS, kindChoices, kindsOf, USUAL, valueOf } from "./kinds";
 import { Properties } from "./Properties";
 import { beginWalk, useStateWalk } from "./state-walk";
 import { assumptionWords, Limits, Verdict } from "./Verdict";
@@ -19,7 +19,6 @@ import { answerAt, begin, breakOff, useCheck } from "./verifying";
 import { WalkedState } from "./WalkedState";
 import "./check.css";
 
-const FAILURES = ["0", "1", "2", "3"];
 const SECONDS = ["10", "60", "300", "1800"];
 const EXACT = "exact";
 const ROUGH = "rough";
@@ -105,7 +104,7 @@ function Asking() {
           label={t("check.failures")}
           testId="check-failures"
           value={failures}
-          options={FAILURES}
+          options={FAILURE_COUNTS}
           keep={setFailures}
         />
       </Row>

@@ -13,14 +13,13 @@ import { Button } from "../../ui/Button";
 import { Row } from "../../ui/Row";
 import { Select } from "../../ui/Select";
 import { Tool } from "../../ui/Tool";
+import { FAILURE_COUNTS } from "./kinds";
 import { SceneArena } from "./SceneArena";
 import { assume, closeWalk, goBack, goOn, takeStep, useStateWalk } from "./state-walk";
 import { TIMINGS } from "./table";
 import { useWorldOf } from "./world";
 import "./broken-run.css";
 import "./walked-state.css";
-
-const FAILURES = ["0", "1", "2", "3"];
 
 export function WalkedState() {
   const { wanted, state, refused } = useStateWalk();
@@ -64,7 +63,7 @@ function Assumption() {
           label={t("check.failures")}
           testId="walk-failures"
           value={String(failures)}
-          options={FAILURES}
+          options={FAILURE_COUNTS}
           keep={(value) => assume({ timing, failures: readWhole(value) ?? 0 })}
         />
       </Row>

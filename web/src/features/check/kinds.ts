@@ -4,6 +4,9 @@ import { t } from "../../i18n/words";
 
 export type Kinds = NonNullable<VerifyStartRequest["kinds"]>;
 
+/** How many failures there may be in one run, as values of a field. */
+export const FAILURE_COUNTS = ["0", "1", "2", "3"];
+
 export const USUAL: Kinds = ["fail", "stall"];
 
 const CHOICES: readonly Kinds[] = [USUAL, ["fail"], ["stall"], ["mute"], ["fail", "stall", "mute"]];
