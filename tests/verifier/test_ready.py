@@ -24,7 +24,7 @@ from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.model.timing import Timing
 from kitrobot.verifier.properties.properties import ready_properties
 from kitrobot.verifier.properties.verdicts import Verdict, check_properties
-from kitrobot.verifier.report.replay import ConfirmedRun, confirm
+from kitrobot.verifier.report.replay import ConfirmedRun, confirm, judge_run
 from tests.sim.building import WHEEL, avatar, empty_world, run_of, transport
 from tests.sim.team_building import RunningTeam
 from tests.verifier.check_fixtures import mutant
@@ -193,3 +193,17 @@ def test_a_carrier_that_nobody_serves_waits_in_its_dock_for_ever(tmp_path: Path)
     assert verdict.counterexample is not None
     assert verdict.counterexample.repeats_from >= 0
     assert shown is not None
+
+
+def test_a_run_that_is_stuck_breaks_only_what_is_said_of_the_carrier_that_stands_in_a_dock(tmp_path: Path) -> None:
+    """The same: the first carrier stands in the dock, the second one behind it on the road."""
+    old = '<vertex id="v7" element="Counted.IsTrue"/>'
+    prepared = mutant(tmp_path, (old, old.replace("IsTrue", "IsFalse")), carriers=2, stock=1)
+    run = prepared.again()
+    found = {one.name: one for one in ready_properties(Model(run, abstract_run(run)))}
+    broken = [
+        name
+        for name in ("deadlock", "served-carrier-1", "served-carrier-2")
+        if judge_run(found[name], prepared.again(), (), lambda: False).is_broken
+    ]
+    assert broken == ["deadlock", "served-carrier-1"]

@@ -227,7 +227,7 @@ class ReadyCase:
         one, within_s = self.property, self.text.within_s
         made = span.undecided(self.text.text, _with_time(one.sentence, within_s), Sentence(""))
         last, outcome = span.end_within(within_s)
-        if one.monitor is not None:
+        if one.monitor is not None and (outcome in one.ends_as or not one.ends_as):
             reason = Sentence("a recording does not hold what this is decided by; ask a run")
             return replace(made, reason=reason)
         if one.seen_as:

@@ -15,7 +15,14 @@ from kitrobot.sim.tables import columns as c
 from kitrobot.sim.tables.team_columns import HAS_UNIT
 from kitrobot.text.sentences import Sentence
 from kitrobot.verifier.model.model import Model, SharedState
-from kitrobot.verifier.properties.ready_monitors import RunMonitor, loose_action_monitor, loss_monitor, meeting_monitor
+from kitrobot.verifier.properties.ready_monitors import (
+    ENDS_IN_VAIN,
+    RunMonitor,
+    loose_action_monitor,
+    loss_monitor,
+    meeting_monitor,
+    service_monitor,
+)
 from kitrobot.verifier.tables.bodies import FAILED, RUNS, Inside
 from kitrobot.verifier.tables.events import SWINGS, EventKind
 from kitrobot.verifier.tables.motion import Move
@@ -104,7 +111,7 @@ class Property:
         monitor: starts a monitor of a run of the simulator, which is before its first step, if its events do not decide
             whether it breaks the property.
         seen_as: the events of the simulator (see `sim.tables.columns`) that break it.
-        ends_as: the outcomes of a run of the simulator that break it.
+        ends_as: the outcomes of a run of the simulator that break it; with a monitor, those with which it may break it.
         spares_teams: whether the end of a team that gave up, and says why, does not break it.
     """
 
@@ -192,7 +199,7 @@ def ready_properties(model: Model) -> list[Property]:
                 Sentence("in the end every program ends"),
                 waits=_somebody_goes_on(model),
                 from_start=True,
-                ends_as=("stuck", "time"),
+                ends_as=ENDS_IN_VAIN,
             )
         )
     return found
@@ -214,7 +221,8 @@ def _served(model: Model, i: int) -> Property:
         Sentence("{agent} does not wait in a dock for ever", name),
         waits=stands,
         concerned=stands,
-        ends_as=("stuck", "time"),
+        monitor=lambda run: service_monitor(run, name, arms),
+        ends_as=ENDS_IN_VAIN,
     )
 
 

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Protocol
 
+from kitrobot.sim.physics.docks import carrier_in
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.tables import columns as c
 from kitrobot.sim.tables import team_columns as tc
+from kitrobot.trace.source import ENDED
 from kitrobot.verifier.model.absence import gave_up
 from kitrobot.verifier.model.stops import stops_in
 
+ENDS_IN_VAIN = ("stuck", "time")
+"""The outcomes of a run in which nothing more came."""
 LONG_ENOUGH = 2
 """A run whose time is up shows that something is waited for in vain if it was for one part of so many of its time."""
 
@@ -45,13 +49,16 @@ class _InvariantMonitor:
 
 
 class _WaitMonitor:
-    """Reports a violation when a condition holds up to the end of the run, and long enough."""
+    """Reports a violation when a condition holds up to the end of the run, long enough, and the run ends with one of
+    these outcomes.
+    """
 
     is_kept = False
 
-    def __init__(self, run: Simulation, test: Callable[[], bool]) -> None:
+    def __init__(self, run: Simulation, test: Callable[[], bool], outcomes: Sequence[str] = ENDED) -> None:
         self._run = run
         self._test = test
+        self._outcomes = outcomes
         self._since = -1
 
     def after_step(self) -> bool:
@@ -62,7 +69,8 @@ class _WaitMonitor:
         return False
 
     def at_end(self, outcome: str) -> bool:
-        return self._since >= 0 and waited_long_enough(outcome, self._run.tick, self._since)
+        is_in_vain = self._since >= 0 and outcome in self._outcomes
+        return is_in_vain and waited_long_enough(outcome, self._run.tick, self._since)
 
 
 def waited_long_enough(outcome: str, tick: int, since: int) -> bool:
@@ -98,6 +106,22 @@ def meeting_monitor(run: Simulation, name: str) -> RunMonitor:
         return bool(is_waiting and ints[c.DOWN][robot] == c.WELL and not gave_up(team))
 
     return _WaitMonitor(run, waits)
+
+
+def service_monitor(run: Simulation, name: str, docks: Sequence[int]) -> RunMonitor:
+    """Monitors whether a carrier stands in one of these docks up to the end of a run that is stuck or out of time."""
+    robot = [agent.name for agent in run.members].index(name)
+
+    def stands() -> bool:
+        state = run.state
+        ints = state.robots.ints
+        return (
+            not ints[c.ENDED][robot]
+            and ints[c.DOWN][robot] != c.FAILED
+            and any(carrier_in(dock, state.robots, state.roads, state.docks) == robot for dock in docks)
+        )
+
+    return _WaitMonitor(run, stands, ENDS_IN_VAIN)
 
 
 def loose_action_monitor(run: Simulation) -> RunMonitor:
