@@ -70,3 +70,33 @@ def test_an_unknown_robot_is_refused_with_a_sentence(page):
 
 def test_a_stranger_is_refused(stranger):
     assert ask(stranger, "WAIT(1);").status_code in (401, 403)
+
+
+TREE = """<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequence>
+<RetryUntilSuccessful num_attempts="-1"><Condition ID="Sign.EqualTo" value="3"/></RetryUntilSuccessful>
+<Action ID="Lamp.LightOn"/>{more}
+</Sequence></BehaviorTree></root>"""
+
+
+def test_a_behaviour_tree_becomes_a_graph(page):
+    answer = ask(page, TREE.format(more=""))
+    assert answer.json()["problems"] == []
+    assert elements(answer) == ["Start", "Wait Until", "Sign.EqualTo", "Lamp.LightOn", "Stop"]
+
+
+@pytest.mark.parametrize(
+    ("more", "said"),
+    [
+        ('<Action ID="Lamp.Explode"/>', "Explode"),
+        ("<Action", ""),
+        ('<include path="other.xml"/>', "include"),
+        ("<Sequence>" * 100 + "</Sequence>" * 100, ""),
+    ],
+)
+def test_a_tree_that_is_no_program_gives_its_problems_with_their_lines_and_no_graph(page, more, said):
+    answer = ask(page, TREE.format(more="\n" + more))
+    assert answer.status_code == 200
+    assert answer.json()["program"] is None
+    [problem, *_] = answer.json()["problems"]
+    assert said in problem["message"]
+    assert problem["line"] >= 1

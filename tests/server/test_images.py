@@ -51,6 +51,30 @@ def test_a_program_that_is_not_there_says_so(page: TestClient, mission: dict[str
     assert ask(page, mission, "other").status_code == 422
 
 
+def ask_tree(page: TestClient, mission: dict[str, Any], program: str = "blink") -> Any:
+    return page.post("/api/tree", json={"mission": mission, "path": "blink.krt", "program": program})
+
+
+def test_a_program_becomes_a_tree_that_a_program_of_that_robot_is_read_from(
+    page: TestClient, mission: dict[str, Any]
+) -> None:
+    made = ask_tree(page, mission).json()["text"]
+    read = page.post("/api/fragment", json={"text": made, "robot": "mini-robot", "path": ""}).json()
+    assert read["problems"] == []
+    [program] = mission["programs"]
+    known = [vertex["element"] for vertex in program["vertices"]]
+    assert [vertex["element"] for vertex in read["program"]["vertices"]] == known
+
+
+def test_what_is_no_tree_says_why(page: TestClient, mission: dict[str, Any]) -> None:
+    program = page.post("/api/fragment", json={"text": "BREAK;", "robot": "mini-robot", "path": ""}).json()["program"]
+    mission["programs"] = [{**program, "name": "blink", "robot": "mini-robot"}]
+    answer = ask_tree(page, mission)
+    assert answer.status_code == 422
+    assert answer.json()["message"].startswith("`blink` is no behaviour tree: ")
+    assert answer.json()["help"]
+
+
 def save(page: TestClient, path: str, program: str, kit: str, firmware: bytes = b"") -> Any:
     opened = page.get("/api/mission", params={"path": path}).json()["mission"]
     wanted = {"mission": opened, "path": "", "program": program, "kit": kit, "firmware_name": "RPI_PICO.uf2"}

@@ -283,6 +283,7 @@ ASKED: dict[tuple[str, str], tuple[Asking, ...]] = {
     ("POST", "/api/image"): (
         lambda both: both.post("image", mission=both.mission(), path="rich.krt", program="blink"),
     ),
+    ("POST", "/api/tree"): (lambda both: both.post("tree", mission=both.mission(), path="rich.krt", program="blink"),),
     ("POST", "/api/board-file"): (
         lambda both: both.post(
             "board-file",

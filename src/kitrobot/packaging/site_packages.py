@@ -31,8 +31,7 @@ _OURS: Final = ("kitrobot", "kitrobot_onboard")
 _ONBOARD: Final = "kitrobot_onboard/"
 _LEFT_OUT: Final = (
     *("kitrobot/cli/", "kitrobot/server/static/", "kitrobot/examples/", "kitrobot/packaging/site_files/"),
-    *("kitrobot/primitives/schemas/", "kitrobot/behaviour_trees/", "kitrobot/workspace/behaviour_trees.py"),
-    "kitrobot/workspace/conversion.py",
+    *("kitrobot/primitives/schemas/", "kitrobot/workspace/conversion.py"),
 )
 _NOT_USED: Final = (
     *("anyio/pytest_plugin.py", "anyio/_backends/_trio.py", "pydantic/mypy.py", "pydantic/v1/", "fastapi/cli.py"),

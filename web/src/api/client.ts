@@ -154,7 +154,9 @@ export const api = {
     ask<server.BoardFile>("board-file", { method: "POST", json: wanted }),
   image: (mission: Mission, path: string, program: string) =>
     ask<server.Image>("image", { method: "POST", json: { mission, path, program } }),
-  /** `own` is what the mission brings along: the text may speak of it. */
+  tree: async (mission: Mission, path: string, program: string) =>
+    (await ask<server.Text>("tree", { method: "POST", json: { mission, path, program } })).text,
+  /** A program of LLL or of a behaviour tree. `own` is what the mission brings along: the text may speak of it. */
   fragment: (text: string, robot: string, path: string, own: Pick<Mission, "constructors" | "variables"> = {}) =>
     ask<Fragment>("fragment", {
       method: "POST",

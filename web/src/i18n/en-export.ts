@@ -4,6 +4,7 @@ import type { Sentence } from "./words";
 export const EXPORT_EN = {
   "out.download-kri": "Download image of {name} (.kri)",
   "out.download-kra": "Download three-address code of {name} (.kra)",
+  "out.download-tree": "Download behaviour tree of {name} (.xml)",
   "out.no-image": "“{name}” has errors, so there is no image of it yet.",
   "out.no-image-help": "Mend what the list of problems shows; F8 goes to the next one.",
   "out.show-problem": "Show the error",

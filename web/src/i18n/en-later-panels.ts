@@ -94,4 +94,7 @@ export const PANELS_EN = {
   "parts.too-large": "{file} is larger than {most} MB.",
   "parts.too-large-help": "No file of robots or worlds is that large.",
   "parts.unreadable": "{file} could not be read.",
+  "program-text.added": "{file} is the program {name} now, for {robot}.",
+  "program-text.refused": "{file}, line {line}: {why}.",
+  "program-text.more": { one: "It has {count} more mistake.", other: "It has {count} more mistakes." },
 } as const;

@@ -32,6 +32,7 @@ export const SEARCH_EN = {
   "search.source": "source code, text",
   "search.binary": "binary, byte code, executable",
   "search.listing": "assembly, intermediate code",
+  "search.behaviour-tree": "Groot, BehaviorTree.CPP",
   "search.board-file": "hex, uf2, download, flash, drive, MICROBIT, RPI-RP2",
   "search.picture": "picture, image, screenshot",
   "help.keys-elsewhere": "Elsewhere",

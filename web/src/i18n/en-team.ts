@@ -7,6 +7,7 @@ export const TEAM_EN = {
 
   "team.tab": "Team",
   "team.no-free-start": "Every start of this world is taken, so {name} has no robot yet.",
+  "team.let-run": "Let {agent} run {name}",
   "team.open": "Open the team",
   "team.goal": "goal",
   "command.place": "Put the robots on free starts",

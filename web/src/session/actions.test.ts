@@ -1,7 +1,10 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
 
+import { emptyProgram } from "../model/commands/changePrograms";
+import { fileOf } from "../model/testing/missions";
 import type { Mission, World } from "../model/types";
-import { freeName, nextSpeed, programWithAgent, run } from "./actions";
+import { useStudio } from "../model/studio";
+import { addProgramFor, freeName, nextSpeed, programWithAgent, run } from "./actions";
 import { useDocument } from "./document";
 import { useRun } from "./run";
 
@@ -21,15 +24,26 @@ function worldWith(...starts: string[]): World {
 
 describe("a new program", () => {
   it("brings an agent that runs it", () => {
-    const made = programWithAgent(MISSION, "mini-robot", worldWith("r-1", "r-2"));
-    const after = made?.command.execute(MISSION);
-    expect(made?.name).toBe("program-2");
+    const made = programWithAgent(MISSION, emptyProgram("program-2", "mini-robot"), worldWith("r-1", "r-2"));
+    const after = made?.execute(MISSION);
     expect(after?.agents.at(-1)).toEqual({ name: "r-2", program: "program-2", start: "" });
   });
 
   it("comes alone where the world has no place left", () => {
-    const made = programWithAgent(MISSION, "mini-robot", worldWith("r-1"));
-    expect(made?.command.execute(MISSION).agents).toEqual(MISSION.agents);
+    const made = programWithAgent(MISSION, emptyProgram("program-2", "mini-robot"), worldWith("r-1"));
+    expect(made?.execute(MISSION).agents).toEqual(MISSION.agents);
+  });
+
+  it("whose world has no place left can be run by the agent of the program that was in view", async () => {
+    useStudio.getState().openMission(fileOf({ ...MISSION, world: "" }));
+    addProgramFor("r");
+    const { banner } = useDocument.getState();
+    expect(banner?.actions.map((action) => action.label)).toEqual(["Let r-1 run program-2", "Open the team"]);
+    banner?.actions[0]?.run();
+    await vi.waitFor(() => expect(useStudio.getState().mission.agents[0]?.program).toBe("program-2"));
+    expect(useDocument.getState().banner).toBeNull();
+    addProgramFor("another robot");
+    expect(useDocument.getState().banner?.actions.map((action) => action.label)).toEqual(["Open the team"]);
   });
 
   it("takes the first name that is free", () => {

@@ -1,10 +1,10 @@
 /** Actions on the run and on programs, shared by menus, toolbar and keys. */
 import { t } from "../i18n/words";
 import { becomes, type Command } from "../model/command";
-import { addProgram, removeProgram } from "../model/commands/changePrograms";
+import { addProgram, emptyProgram, removeProgram } from "../model/commands/changePrograms";
 import { moveProgram } from "../model/commands/moveProgram";
 import { useStudio } from "../model/studio";
-import type { Mission, World } from "../model/types";
+import type { Mission, Program, World } from "../model/types";
 import { dismissBanner, note, useDocument, whenReady } from "./document";
 import { isLive, useRun, watchedAgent } from "./run";
 import { closeTeam, openTeam } from "./team-view";
@@ -60,34 +60,54 @@ export function freeStart(mission: Mission, world: World | null): string | null 
 /**
  * A new program and, where the world has a place for it, one agent that runs it: what is drawn should also move.
  */
-export function programWithAgent(
-  mission: Mission,
-  robot: string,
-  world: World | null,
-): { command: Command; name: string } | null {
-  const names = mission.programs.map((program) => program.name);
-  const name = freeName("program", names);
-  const inner = addProgram(mission, name, robot);
+export function programWithAgent(mission: Mission, program: Program, world: World | null): Command | null {
+  const inner = addProgram(mission, program);
   const start = freeStart(mission, world);
-  if (inner === null || start === null) return inner === null ? null : { command: inner, name };
-  const agent = { name: start, program: name, start: "" };
+  if (inner === null || start === null) return inner;
+  const agent = { name: start, program: program.name, start: "" };
   const after = inner.execute(mission);
-  return { command: becomes(inner.label, { ...after, agents: [...after.agents, agent] }), name };
+  return becomes(inner.label, { ...after, agents: [...after.agents, agent] });
 }
 
 export function addProgramFor(robot: string): void {
-  const { mission, world, execute, setActiveProgram } = useStudio.getState();
-  const added = programWithAgent(mission, robot, world);
-  if (added === null) return;
-  execute(added.command);
-  setActiveProgram(added.name);
-  if (useStudio.getState().mission.agents.some((agent) => agent.program === added.name)) return;
-  const message = t("team.no-free-start", { name: added.name });
-  const open = () => {
-    dismissBanner();
-    openTeam();
-  };
-  note(message, "", [{ label: t("team.open"), run: open }]);
+  const names = useStudio.getState().mission.programs.map((program) => program.name);
+  addProgramWithAgent(emptyProgram(freeName("program", names), robot));
+}
+
+/** Adds a program and shows it; whether it has a robot that runs it. Where the world has no place for one, says who could. */
+export function addProgramWithAgent(program: Program): boolean {
+  const { mission, world, execute, setActiveProgram, activeProgram } = useStudio.getState();
+  const { name } = program;
+  const command = programWithAgent(mission, program, world);
+  if (command === null) return false;
+  execute(command);
+  setActiveProgram(name);
+  if (useStudio.getState().mission.agents.some((agent) => agent.program === name)) return true;
+  const choice = (label: string, act: () => void) => ({
+    label,
+    run: () => {
+      dismissBanner();
+      act();
+    },
+  });
+  const fits = mission.programs.some((one) => one.name === activeProgram && one.robot === program.robot);
+  const agent = fits ? mission.agents.find((one) => one.program === activeProgram) : undefined;
+  note(t("team.no-free-start", { name }), "", [
+    ...(agent === undefined
+      ? []
+      : [choice(t("team.let-run", { agent: agent.name, name }), () => void letRun(agent.name, name))]),
+    choice(t("team.open"), openTeam),
+  ]);
+  return false;
+}
+
+/** An agent runs another program from now on. */
+async function letRun(agent: string, program: string): Promise<void> {
+  const { giveProgram } = await import("../model/commands/changeAgents");
+  const { mission, execute } = useStudio.getState();
+  const at = mission.agents.findIndex((one) => one.name === agent);
+  const command = giveProgram(mission, at, program);
+  if (command !== null) execute(command);
 }
 
 export function removeProgramNamed(name: string): void {

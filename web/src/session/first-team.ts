@@ -2,7 +2,7 @@
 import { ask } from "../api/client";
 import { moreWords, t } from "../i18n/words";
 import { becomes } from "../model/command";
-import { addProgram } from "../model/commands/changePrograms";
+import { addProgram, emptyProgram } from "../model/commands/changePrograms";
 import { useStudio } from "../model/studio";
 import { TEAM_ROBOT } from "../model/team-robot";
 import type { Mission } from "../model/types";
@@ -37,7 +37,7 @@ export async function addGroupProgram(): Promise<void> {
   const taken = mission.programs.map((one) => one.name);
   let name = stem;
   for (let number = 2; taken.includes(name); number++) name = `${stem}-${String(number)}`;
-  const command = addProgram(mission, name, TEAM_ROBOT, "group");
+  const command = addProgram(mission, emptyProgram(name, TEAM_ROBOT, "group"));
   if (command === null) return;
   execute(command);
   setActiveProgram(name);

@@ -34,7 +34,7 @@ type Beginning = ToWorker & { kind: "begin" };
 /** What is imported before the folder of missions is there. */
 const MODULES = "kitrobot.server.in_worker";
 /** Requests that only ask, though they are no GET. */
-const ASKS = /^\/api\/(again|board-file|check|fragment|image|mission\/(difference|read|team|text)|text|exercise)/;
+const ASKS = /^\/api\/(again|board-file|check|fragment|image|mission\/(difference|read|team|text)|text|tree|exercise)/;
 
 const scope = self as unknown as {
   postMessage: (message: FromWorker, transfer?: Transferable[]) => void;

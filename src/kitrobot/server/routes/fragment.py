@@ -1,4 +1,4 @@
-"""LLL text from a clipboard → a piece of a graph.
+"""A text from a clipboard or of a file → a piece of a graph: LLL, or the XML of a behaviour tree.
 
 Instructions become a chain between Start and Stop. A condition by itself ("Sign.EqualTo(0) & Run.IsTrue()") is no
 program: it is read as the guard of an empty event; that graph without its chain is the condition alone.
@@ -19,16 +19,18 @@ from kitrobot.server.routes.api_router import ThisStudio, api_router
 from kitrobot.wire.fragment import FragmentRequestShape, FragmentShape
 from kitrobot.wire.own_parts import own_constructor, own_variable
 from kitrobot.wire.problem import problem_shapes
+from kitrobot.workspace.behaviour_trees import read_tree
+from kitrobot.workspace.file_check import TREE_ELEMENT, first_element
 
-FILE = "clipboard.lll"
-"""The name by which problems speak of the text."""
+FILE, TREE_FILE = "clipboard.lll", "clipboard.xml"
+"""The names by which problems speak of the text."""
 
 routes = api_router()
 
 
 @routes.post("/fragment")
 def fragment(studio: ThisStudio, wanted: FragmentRequestShape) -> FragmentShape:
-    """Reads a pasted text for a robot; a text that is no LLL gives its problems and no graph."""
+    """Reads a text for a robot; one that is neither LLL nor a behaviour tree gives its problems and no graph."""
     own = Mission(
         constructors=[own_constructor(one) for one in wanted.constructors],
         variables=[own_variable(one) for one in wanted.variables],
@@ -41,6 +43,11 @@ def fragment(studio: ThisStudio, wanted: FragmentRequestShape) -> FragmentShape:
 
 def read_fragment(text: str, robot: Robot, catalogue: Catalogue) -> tuple[Program | None, list[Diagnostic]]:
     """The graph of a text, or None and what is wrong with it."""
+    if first_element(text) == TREE_ELEMENT:
+        read = read_tree(text.encode(), TREE_FILE, robot)
+        if read.text is None:
+            return None, read.diagnostics
+        text = read.text.text
     parsed = parse(text, FILE)
     if parsed.ok:
         return _drawn(parsed.program, robot, catalogue), parsed.diagnostics

@@ -1,4 +1,4 @@
-"""The requests for a program's image, and for a file that a board takes, for a download."""
+"""The requests for a program as a file to keep: its image, its behaviour tree, and a file that a board takes."""
 
 from __future__ import annotations
 
@@ -6,16 +6,21 @@ from base64 import b64encode
 
 from kitrobot.boards.board_files import make_board_file
 from kitrobot.boards.programs import board_program
+from kitrobot.compiler.compilation import CompiledProgram
 from kitrobot.compiler.target import robot_of
 from kitrobot.deploy.firmware.uf2 import firmware_of
 from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.image.listing import disassemble
+from kitrobot.image.model import Image
 from kitrobot.mission.writer import write_mission
+from kitrobot.primitives.robot import Robot
 from kitrobot.server.routes.api_router import ThisStudio, api_router
 from kitrobot.text.sentences import Sentence
 from kitrobot.wire.board_file import BoardFileAskShape, BoardFileShape
+from kitrobot.wire.files import TextShape
 from kitrobot.wire.image import ImageAskShape, ImageShape
 from kitrobot.wire.mission import mission_from_shape
+from kitrobot.workspace.behaviour_trees import tree_file
 from kitrobot.workspace.kit_files import kit_named
 
 image_routes = api_router()
@@ -24,6 +29,27 @@ image_routes = api_router()
 @image_routes.post("/image")
 def image(studio: ThisStudio, wanted: ImageAskShape) -> ImageShape:
     """Compiles one program of a mission: its image and the listing of it."""
+    _, _, made = _compile(studio, wanted)
+    return ImageShape(image=b64encode(made.to_bytes()).decode(), listing=disassemble(made))
+
+
+@image_routes.post("/tree")
+def tree(studio: ThisStudio, wanted: ImageAskShape) -> TextShape:
+    """Writes one program of a mission as a behaviour tree."""
+    robot, compiled, _ = _compile(studio, wanted)
+    data, refused = tree_file(compiled.program, robot, compiled.source, wanted.program)
+    if data is None:
+        message = Sentence("`{program}` is no behaviour tree: {reason}", wanted.program, refused[0].message)
+        raise ProblemsError(message, refused[0].help, tuple(refused))
+    return TextShape(text=data.decode())
+
+
+def _compile(studio: ThisStudio, wanted: ImageAskShape) -> tuple[Robot, CompiledProgram, Image]:
+    """One program of a mission, and the robot that it is for.
+
+    Raises:
+        ProblemsError: it has mistakes, or its robot is not there.
+    """
     opened = studio.open(mission_from_shape(wanted.mission), wanted.path)
     program = opened.program(wanted.program)
     if program.level.is_team:
@@ -46,8 +72,7 @@ def image(studio: ThisStudio, wanted: ImageAskShape) -> ImageShape:
             Sentence("mend what the list of problems shows"),
             errors,
         )
-    data = compiled.image.to_bytes()
-    return ImageShape(image=b64encode(data).decode(), listing=disassemble(compiled.image))
+    return robot_of(program, opened.catalogue), compiled, compiled.image
 
 
 @image_routes.post("/board-file")

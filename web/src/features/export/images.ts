@@ -1,14 +1,17 @@
-/** The program in view as a robot runs it: its image, and the listing of that as text. */
+/** The program in view as a file: its image as a robot runs it, the listing of that, its behaviour tree. */
 import { api } from "../../api/client";
-import type { Image as Made } from "../../api/generated";
 import { t } from "../../i18n/words";
 import { programInView, useStudio } from "../../model/studio";
+import type { Mission } from "../../model/types";
 import { complain, question } from "../../session/document";
 import { walkProblems } from "../../session/problem-walk";
 import { download } from "../../ui/download";
 
 /** Compiles it anew, so that what is kept is what is drawn; says it when there are errors. */
-async function make(keep: (name: string, made: Made) => void): Promise<void> {
+async function make<Made>(
+  ask: (mission: Mission, path: string, program: string) => Promise<Made>,
+  keep: (name: string, made: Made) => void,
+): Promise<void> {
   const state = useStudio.getState();
   const program = programInView(state);
   if (program === undefined) return;
@@ -22,21 +25,27 @@ async function make(keep: (name: string, made: Made) => void): Promise<void> {
     return;
   }
   try {
-    keep(name, await api.image(mission, file.path, name));
+    keep(name, await ask(mission, file.path, name));
   } catch (cause) {
     complain(cause);
   }
 }
 
 export function downloadImage(): Promise<void> {
-  return make((name, { image }) => {
+  return make(api.image, (name, { image }) => {
     const bytes = Uint8Array.from(atob(image), (letter) => letter.charCodeAt(0));
     download(`${name}.kri`, bytes, "application/octet-stream");
   });
 }
 
 export function downloadListing(): Promise<void> {
-  return make((name, { listing }) => {
+  return make(api.image, (name, { listing }) => {
     download(`${name}.kra`, listing, "text/plain");
+  });
+}
+
+export function downloadTree(): Promise<void> {
+  return make(api.tree, (name, tree) => {
+    download(`${name}.xml`, tree, "application/xml");
   });
 }

@@ -33,10 +33,12 @@ function useMenu(): MenuEntries {
   const program = useStudio((studio) => studio.activeProgram);
   const kri = t("out.download-kri", { name: program });
   const kra = t("out.download-kra", { name: program });
+  const tree = t("out.download-tree", { name: program });
   return {
     image: [
       menuItem("file-download-kri", kri, null, () => images().then((out) => out.downloadImage())),
       menuItem("file-download-kra", kra, null, () => images().then((out) => out.downloadListing())),
+      menuItem("file-download-tree", tree, null, () => images().then((out) => out.downloadTree())),
     ],
     picture: [
       menuItem("file-export-svg", t("file.export-svg"), null, () => pictures().then((out) => out.exportSvg())),
@@ -55,6 +57,7 @@ export const exporting: Feature = {
   words: {
     "file-download-kri": "search.binary",
     "file-download-kra": "search.listing",
+    "file-download-tree": "search.behaviour-tree",
     "file-export-svg": "search.picture",
     "file-export-png": "search.picture",
   },

@@ -117,3 +117,36 @@ describe("a file whose name is taken", () => {
     await until(() => expect(banner()).toContain("The kit tank is there now."));
   });
 });
+
+describe("a program as text", () => {
+  const WAITS = { ...CARRIER, name: "fragment" };
+  const TREE = '<?xml version="1.0"?>\n<!-- from Groot --><root BTCPP_format="4"/>';
+  const names = () => useStudio.getState().mission.programs.map((program) => program.name);
+
+  it.each([
+    ["patrol.xml", TREE, "patrol"],
+    ["patrol.lll", "WAIT(5);", "patrol"],
+    ["3 ways.lll", "WAIT(5);", "program-1"],
+    [`${CARRIER.name}.lll`, "WAIT(5);", `${CARRIER.name}-1`],
+  ])("%s becomes a program for the robot in view, and undo takes it back", async (file, text, name) => {
+    const before = names();
+    line.answers["api/fragment"] = { program: WAITS, problems: [] };
+    await take(file, text);
+    await until(() => expect(names()).toEqual([...before, name]));
+    const added = useStudio.getState().mission.programs.at(-1);
+    expect(added).toMatchObject({ robot: CARRIER.robot, vertices: WAITS.vertices, arcs: WAITS.arcs });
+    expect(useStudio.getState().activeProgram).toBe(name);
+    act(() => useStudio.getState().undo());
+    expect(names()).toEqual(before);
+  });
+
+  it("that is none is refused with its line and changes nothing", async () => {
+    const before = names();
+    const wrong = (message: string) => ({ message, help: "ask before it", line: 7 });
+    line.answers["api/fragment"] = { program: null, problems: [wrong("actions never fail"), wrong("no such part")] };
+    await take("patrol.xml", TREE);
+    await until(() => expect(banner()).toContain("patrol.xml, line 7: Actions never fail."));
+    expect(banner()).toContain("Ask before it. It has 1 more mistake.");
+    expect(names()).toEqual(before);
+  });
+});

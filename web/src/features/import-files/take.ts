@@ -1,5 +1,5 @@
 /**
- * Files that a person drops or chooses: parts go beside the mission, anything else is opened.
+ * Files that a person drops or chooses: parts go beside the mission, programs as text into it, anything else is opened.
  *
  * Files go one after another, since one of them may need an answer: whether it may replace another of its name. What became
  * of all of them is said at the end, in one banner.
@@ -26,37 +26,42 @@ import { PROBLEMS } from "../../session/problem-walk";
 import { showDifference } from "../../session/saving";
 import { openTeam } from "../../session/team-view";
 import { readParts } from "../../session/world-files";
+import { isProgramText, takeProgramText } from "./program-text";
 
 const MOST_MB = 4;
 const LOOKED_AT = 4096;
 
-/** Whether a file is XML, and no mission: those are opened. */
-async function holdsParts(file: File): Promise<boolean> {
-  if (!/\.xml$/i.test(file.name)) return false;
-  try {
-    return !/<kitrobot[\s>]/.test(await file.slice(0, LOOKED_AT).text());
-  } catch {
-    return true;
-  }
+/** What a file is to become: a program, or parts where it is XML and no mission; anything else is opened. */
+async function readKind(file: File): Promise<"program" | "parts" | "other"> {
+  const beginning = await file
+    .slice(0, LOOKED_AT)
+    .text()
+    .catch(() => "");
+  if (isProgramText(file.name, beginning)) return "program";
+  return /\.xml$/i.test(file.name) && !/<kitrobot[\s>]/.test(beginning) ? "parts" : "other";
 }
 
 export async function takeFiles(files: readonly File[]): Promise<void> {
   const parts: File[] = [];
   const others: File[] = [];
-  for (const file of files) ((await holdsParts(file)) ? parts : others).push(file);
+  for (const file of files) {
+    const kind = await readKind(file);
+    if (kind === "program") await takeProgramText(file);
+    else (kind === "parts" ? parts : others).push(file);
+  }
   if (parts.length > 0) await takeParts(parts);
   // One mission is open at a time: the first file that may be one.
   const first = others.find((file) => /\.(krt|krtrace|svg|png|pdf|hex)$/i.test(file.name)) ?? others[0];
   if (first !== undefined) openFromComputer(first);
 }
 
-/** Lets the person choose files of parts. */
+/** Lets the person choose files of parts, and of programs as text. */
 export function chooseParts(): void {
   const input = document.createElement("input");
   input.type = "file";
   input.multiple = true;
-  input.accept = ".xml,application/xml,text/xml";
-  input.addEventListener("change", () => void takeParts([...(input.files ?? [])]));
+  input.accept = ".xml,.lll,application/xml,text/xml";
+  input.addEventListener("change", () => void takeFiles([...(input.files ?? [])]));
   input.click();
 }
 

@@ -19,18 +19,11 @@ export function emptyProgram(name: string, robot: string, level: Program["level"
   };
 }
 
-/** A new, empty program at the end, or null when the name is taken or empty. */
-export function addProgram(
-  mission: Mission,
-  name: string,
-  robot: string,
-  level: Program["level"] = "agent",
-): Command | null {
+/** A new program at the end, or null when its name is taken or empty. */
+export function addProgram(mission: Mission, program: Program): Command | null {
+  const { name } = program;
   if (name === "" || mission.programs.some((one) => one.name === name)) return null;
-  return becomes(t("command.add", { name }), {
-    ...mission,
-    programs: [...mission.programs, emptyProgram(name, robot, level)],
-  });
+  return becomes(t("command.add", { name }), { ...mission, programs: [...mission.programs, program] });
 }
 
 /**

@@ -19,7 +19,7 @@ import {
   removeConstructor,
   removeVariable,
 } from "../commands/changeOwn";
-import { addProgram, removeProgram, renameProgram } from "../commands/changePrograms";
+import { addProgram, emptyProgram, removeProgram, renameProgram } from "../commands/changePrograms";
 import { changeTitle } from "../commands/changeTitle";
 import { changeWorld } from "../commands/changeWorld";
 import { deleteParts } from "../commands/deleteParts";
@@ -122,7 +122,7 @@ function randomParts(random: Random, mission: Mission): Command | null {
 function randomPrograms(random: Random, mission: Mission): Command | null {
   const program = pick(random, mission.programs).name;
   const kinds: (() => Command | null)[] = [
-    () => addProgram(mission, pick(random, NAMES), pick(random, ["carrier", "loader", "rover"])),
+    () => addProgram(mission, emptyProgram(pick(random, NAMES), pick(random, ["carrier", "loader", "rover"]))),
     () => renameProgram(mission, program, pick(random, NAMES)),
     () => removeProgram(mission, program),
     () => moveProgram(mission, program, pick(random, [1, -1])),
