@@ -31,7 +31,7 @@ os.environ.setdefault("KITROBOT_COMPILE", "no")
 os.environ.setdefault("KITROBOT_CACHE", str(compiled_step.CACHE))
 
 # No deadlines: on a busy machine they fail tests that are right.
-hypothesis.settings.register_profile("ci", max_examples=20, deadline=None, derandomize=True, print_blob=True)
+hypothesis.settings.register_profile("ci", max_examples=10, deadline=None, derandomize=True, print_blob=True)
 hypothesis.settings.register_profile("thorough", max_examples=2000, deadline=None, print_blob=True)
 hypothesis.settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "ci"))
 

@@ -74,13 +74,13 @@ def test_a_finger_that_taps_shortly_is_felt(open_studio: OpenStudio) -> None:
 
 def what_a_hand_did_stands_on_the_timeline_and_in_the_watch(studio: Studio) -> None:
     studio.at("watch-button").click()
-    expect(studio.at("watch-ButtonA")).to_be_visible()
-    studio.at("hand-ButtonA").hover()
+    expect(studio.at("watch-Shake")).to_be_visible()
+    studio.at("hand-Shake").hover()
     studio.page.mouse.down()
-    expect(studio.at("watch-ButtonA")).to_have_attribute("data-forced", "true")
+    expect(studio.at("watch-Shake")).to_have_attribute("data-forced", "true")
     studio.page.mouse.up()
-    expect(studio.at("watch-ButtonA")).to_have_attribute("data-forced", "false")
-    expect(studio.at("hand-ButtonA")).to_have_attribute("aria-pressed", "false")
+    expect(studio.at("watch-Shake")).to_have_attribute("data-forced", "false")
+    expect(studio.at("hand-Shake")).to_have_attribute("aria-pressed", "false")
 
 
 def a_press_while_the_run_pauses_waits_for_it(studio: Studio) -> None:
@@ -160,9 +160,9 @@ def test_axe_finds_nothing_on_a_board(open_studio: OpenStudio, look: tuple[str, 
     choose(studio, *look)
     find_nothing(studio, "before a run")
     studio.at("run-button").click()
-    expect(studio.at("hand-ButtonA")).to_be_enabled()
-    studio.at("hand-ButtonA").hover()
+    expect(studio.at("hand-Shake")).to_be_enabled()
+    studio.at("hand-Shake").hover()
     studio.page.mouse.down()
-    expect(studio.at("hand-ButtonA")).to_have_attribute("aria-pressed", "true")
+    expect(studio.at("hand-Shake")).to_have_attribute("aria-pressed", "true")
     find_nothing(studio, "a button is held")
     studio.page.mouse.up()

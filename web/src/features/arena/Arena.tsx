@@ -17,7 +17,9 @@ import { Painter } from "../../components/scene/painter";
 import { ARENA_KEYS, PAGE_KEYS } from "./keys";
 import { openShown, toggleStage, useStageParts } from "./parts";
 import { choose, follow, openRobotMenu, useRobots } from "./robots";
-import type { Scene } from "../../components/scene/scene";
+import type { Actor, Scene } from "../../components/scene/scene";
+import { namesPart } from "../../model/named-parts";
+import { useStudio } from "../../model/studio";
 import { complain } from "../../session/document";
 import { later } from "../../ui/later";
 import { useArenaPointer } from "./use-arena-pointer";
@@ -285,9 +287,7 @@ export function Arena() {
           <stage.Ending painter={painter} />
         </div>
       )}
-      {watched === undefined || watched.keys.length + watched.sliders.length === 0 ? null : (
-        <Hands agent={selected} keys={watched.keys} sliders={watched.sliders} />
-      )}
+      {watched === undefined ? null : <HandsOf agent={watched} />}
       <p className="only-spoken" id="arena-summary" data-testid="arena-summary">
         {spoken}
       </p>
@@ -295,6 +295,15 @@ export function Arena() {
       {menu ? <RobotMenu onClosed={() => canvas.current?.focus()} /> : null}
     </div>
   );
+}
+
+/** What can be worked on a robot, of what its program asks; the board in the picture has all of it. */
+function HandsOf({ agent: { name, keys, sliders } }: { agent: Pick<Actor, "name" | "keys" | "sliders"> }) {
+  const mission = useStudio((studio) => studio.mission);
+  const program = mission.agents.find((agent) => agent.name === name)?.program ?? "";
+  const isAsked = ({ sensor }: { sensor: string }) => namesPart(mission, program, sensor);
+  const asked = { keys: keys.filter(isAsked), sliders: sliders.filter(isAsked) };
+  return asked.keys.length + asked.sliders.length === 0 ? null : <Hands agent={name} {...asked} />;
 }
 
 /** Announces the chosen robot, and faults of robots (`StatesSaid`), to screen readers. */
