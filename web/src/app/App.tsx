@@ -3,6 +3,11 @@
  *
  * Sizes of panels are in `session/layout.ts`. Features do not depend on where they are placed.
  */
+import "./chrome.css";
+import "./layout.css";
+import "../ui/menus.css";
+import "./tabs.css";
+
 import { type CSSProperties, type DragEvent, useEffect } from "react";
 
 import { Dock, PanelSlot, Slot } from "../components/Slot";
@@ -22,7 +27,6 @@ import { useView } from "../session/view";
 import { keepWorld } from "../session/world-files";
 import { Banner } from "./Banner";
 import { begin } from "./beginning";
-import { Brand } from "./Brand";
 import { FEATURES } from "./features";
 import { useKeys } from "./keys";
 import { MenuBar } from "./MenuBar";
@@ -31,10 +35,6 @@ import { Separator } from "./Separator";
 import { Tabs } from "./Tabs";
 import { Title } from "./Title";
 import { TeamStop, Toolbar } from "./Toolbar";
-import "./chrome.css";
-import "./layout.css";
-import "../ui/menus.css";
-import "./tabs.css";
 
 let begun = false;
 
@@ -255,5 +255,16 @@ export function App() {
       <Studio />
       <Slot name="after-page" />
     </>
+  );
+}
+
+/** The sign of the studio: a way from one point to another. */
+function Brand() {
+  return (
+    <svg className="brand rigid" width="16" height="16" viewBox="0 0 16 16" aria-hidden="true">
+      <path d="M3 12.5C3 7 7 3.5 12.5 3.5" fill="none" stroke="currentColor" strokeWidth="2" strokeLinecap="round" />
+      <circle cx="3" cy="13" r="2" fill="currentColor" />
+      <circle cx="13" cy="3.5" r="2" fill="currentColor" />
+    </svg>
   );
 }

@@ -1,9 +1,10 @@
 /** What the page has without any feature: its mission, its programs and its look. A feature as the others are. */
+import { api } from "../api/client";
 import { useLanguage } from "../i18n/language";
 import { type Key, type Language, languageInUse, LANGUAGES, t } from "../i18n/words";
 import { type StudioState, useStudio } from "../model/studio";
 import { goToProgram, moveActiveProgram, removeProgramNamed } from "../session/actions";
-import { complain, show } from "../session/document";
+import { complain, fileName, show } from "../session/document";
 import type { Feature } from "../session/features";
 import { keyFor } from "../session/key-table";
 import { type Panel, useLayout } from "../session/layout";
@@ -11,10 +12,10 @@ import type { MenuEntries } from "../session/menu-table";
 import { save } from "../session/saving";
 import { chooseSimple, tellNeed, useNeed, useSimpleView } from "../session/simple-view";
 import { type ThemeChoice, useTheme } from "../theme";
+import { download } from "../ui/download";
 import { later } from "../ui/later";
 import { type MenuEntry, menuItem } from "../ui/menu-model";
 import { robotEntries } from "./AddProgram";
-import { downloadMission, downloadProgram } from "./downloads";
 import { KEYS } from "./page-keys";
 import { renameInTab } from "./renaming";
 import type * as sheetsModule from "./Sheets";
@@ -183,3 +184,19 @@ export const page: Feature = {
     difference: inSheets("DifferenceSheet"),
   },
 };
+
+/** The open mission and a program of it as files for the person to keep. */
+async function downloadMission(): Promise<void> {
+  try {
+    const { text } = await api.missionText(useStudio.getState().mission);
+    download(fileName(), text, "application/xml");
+  } catch (cause) {
+    complain(cause);
+  }
+}
+
+function downloadProgram(): void {
+  const { activeProgram, report } = useStudio.getState();
+  const found = report?.programs.find((program) => program.name === activeProgram);
+  if (found !== undefined) download(`${activeProgram}.lll`, found.lll, "text/plain");
+}

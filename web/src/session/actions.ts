@@ -1,8 +1,7 @@
 /** Actions on the run and on programs, shared by menus, toolbar and keys. */
 import { t } from "../i18n/words";
 import { becomes, type Command } from "../model/command";
-import { addProgram, removeProgram } from "../model/commands/changePrograms";
-import { moveProgram } from "../model/commands/moveProgram";
+import { addProgram, moveProgram, removeProgram } from "../model/commands/changePrograms";
 import { useStudio } from "../model/studio";
 import type { Mission, World } from "../model/types";
 import { dismissBanner, note, useDocument, whenReady } from "./document";

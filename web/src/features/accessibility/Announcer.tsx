@@ -5,12 +5,12 @@
 import { useEffect, useState } from "react";
 
 import { t } from "../../i18n/words";
-import type { StudioState } from "../../model/studio";
-import { useStudio } from "../../model/studio";
+import { type StudioState, useStudio } from "../../model/studio";
+import { currentDrawing, nodeOf } from "../../session/drawing";
 import { changesOf } from "../../session/members";
 import { type RunState, useRun } from "../../session/run";
+import { spoken, spokenArc } from "../../session/spoken";
 import { useView } from "../../session/view";
-import { arcWords, selectionWords } from "./selection";
 
 /** What happened, in words; "" for what need not be said. */
 export function changeWords({ change, redoLabel, undoLabel }: StudioState): string {
@@ -64,4 +64,24 @@ export function Announcer() {
       {said.times % 2 === 1 ? "\u00a0" : ""}
     </p>
   );
+}
+
+/**
+ * What is selected, in words, where the focus does not tell: an arc, several parts, or a part that was selected from
+ * elsewhere (a problem, the text, find). One part selected on the graph is said by the graph's active descendant.
+ */
+function arcWords(id: string | null): string {
+  const arc = currentDrawing()?.layout.arcs.find((one) => one.id === id);
+  return arc === undefined ? "" : spokenArc(arc);
+}
+
+/** "" for what need not be said. */
+function selectionWords(selection: readonly string[]): string {
+  const last = selection.at(-1);
+  const drawing = currentDrawing();
+  if (last === undefined || drawing === null) return "";
+  if (selection.length > 1) return t("inspector.many", { count: selection.length });
+  if (document.activeElement?.closest(".canvas, [role=tree]") != null) return "";
+  const node = nodeOf(drawing, last);
+  return node === undefined ? "" : t("reach.selected", { what: spoken(node) });
 }

@@ -1,16 +1,18 @@
 /** Coming in: the code of the class and a name; a name that is there needs the word, or the teacher's yes. */
+import "./class.css";
+
 import { type FormEvent, type ReactNode, useEffect, useRef, useState } from "react";
 
 import { classApi } from "../../api/class";
 import { ApiError } from "../../api/client";
+import { inPage } from "../../api/line";
+import { siteParts } from "../../api/site-parts";
 import { takeToken } from "../../api/token";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { Icon } from "../../theme";
-import { fetchAhead } from "./ahead";
-import { forgetLeft } from "./left";
 import { Button } from "../../ui/Button";
-import "./class.css";
+import { forgetLeft } from "./left";
 
 const ASK_MS = 2000;
 
@@ -189,4 +191,14 @@ export function Join() {
       </form>
     </main>
   );
+}
+
+/** The files of Python are fetched while a pupil types code and name: the browser has them when the studio asks for them. */
+function fetchAhead(): void {
+  if (inPage()) void fetchFiles().catch(() => undefined);
+}
+
+async function fetchFiles(): Promise<void> {
+  const { files } = await siteParts();
+  await Promise.all(Object.keys(files).map(async (name) => (await fetch(name)).arrayBuffer()));
 }

@@ -1,16 +1,18 @@
 /** The panel of the experiment: a study is set up on the one side, and looked at on the other. */
+import "./experiment.css";
+
 import { useEffect } from "react";
 
 import { DockPanel } from "../../components/DockPanel";
 import { Refused } from "../../components/Refused";
+import { clock, grouped } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
+import { Button } from "../../ui/Button";
 import { useWidth } from "../../ui/use-width";
-import { Progress } from "./Progress";
 import { Results } from "./Results";
 import { Setup } from "./Setup";
-import { fetchChoices, useStudy } from "./study-work";
-import "./experiment.css";
+import { breakOff, fetchChoices, useStudy } from "./study-work";
 
 /** How long the mission stays as it is before it is asked what it has. */
 const QUIET_MS = 300;
@@ -51,5 +53,25 @@ export function ExperimentPanel() {
         {isNarrow && study !== null ? [results, setup] : [setup, results]}
       </div>
     </DockPanel>
+  );
+}
+
+/** How far the work on a study is, and what is left of it. */
+function Progress({ done, total, left }: { done: number; total: number; left: number | null }) {
+  const said =
+    total === 0 ? t("experiment.preparing") : t("experiment.progress", { done: grouped(done), total: grouped(total) });
+  return (
+    <div className="experiment-progress column" data-testid="experiment-progress">
+      <progress aria-label={said} max={Math.max(total, 1)} {...(total === 0 ? {} : { value: done })} />
+      <p>
+        {said}
+        {left === null || done >= total ? null : (
+          <span className="muted"> {t("experiment.left", { time: clock(left) })}</span>
+        )}
+      </p>
+      <Button icon="square" testId="experiment-break-off" onClick={breakOff}>
+        {t("experiment.break-off")}
+      </Button>
+    </div>
   );
 }

@@ -5,19 +5,18 @@ import { type KeyboardEvent, useEffect, useMemo, useRef, useState } from "react"
 
 import { mirrored } from "../../i18n/language";
 import { t } from "../../i18n/words";
-import { partsOf } from "../../model/parts";
 import { elsewhere } from "../../model/part-search";
+import { partsOf } from "../../model/parts";
 import { programInView, useStudio } from "../../model/studio";
 import { isOwn } from "../../session/custom-blocks";
 import { complain } from "../../session/document";
-import { setBin } from "../../session/drag";
+import { setBin, useDrag } from "../../session/drag";
 import { addPart } from "../../session/edits";
 import { useKit } from "../../session/kit";
 import { useReveal } from "../../session/reveal";
 import { newVariable, useVariables, variableKey } from "../../session/variables";
 import { Icon } from "../../theme";
 import { later } from "../../ui/later";
-import { Bin } from "./Bin";
 import { ownKey } from "./custom-row";
 import { PaletteRow } from "./PaletteRow";
 import { PaletteTabs, sectionId } from "./PaletteTabs";
@@ -196,6 +195,19 @@ function NoneFound({ query, robot }: { query: string; robot: string }) {
       {others.map((one) => (
         <p key={one.robot}>{t("parts.elsewhere", { robot: one.robot, parts: one.parts.join(" · ") })}</p>
       ))}
+    </div>
+  );
+}
+
+/** While parts of the graph are dragged: what is dropped on the list of parts is thrown away. */
+function Bin() {
+  const open = useDrag(({ payload }) => payload?.kind === "vertices");
+  const away = useDrag((drag) => drag.away);
+  if (!open) return null;
+  return (
+    <div className="palette-bin column bold" data-away={away} data-testid="parts-bin" aria-hidden="true">
+      <Icon name="trash-2" size={24} />
+      {t("parts.throw-away")}
     </div>
   );
 }

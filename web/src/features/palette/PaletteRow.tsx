@@ -1,18 +1,20 @@
 /** A row of the palette: a part, the robot's object above its parts, or the way to a new variable. */
+import type { MouseEvent, PointerEvent } from "react";
+
+import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { RobotObject } from "../../model/types";
 import { valueWords } from "../../model/words";
-import { isOwn } from "../../session/custom-blocks";
+import { isOwn, openPartMenu } from "../../session/custom-blocks";
 import { beginDrag, justDragged } from "../../session/drag";
 import { addPart } from "../../session/edits";
 import { useRun, watchedAgent } from "../../session/run";
-import { newVariable, useVariables } from "../../session/variables";
+import { type Named, newVariable, openVariableMenu, renameVariable, useVariables } from "../../session/variables";
 import { Icon, Tile } from "../../theme";
+import { whenFingerRests } from "../../ui/rest";
 import { ownHandlers, restOnOwn } from "./custom-row";
-import { CustomBlockMore } from "./CustomBlockMore";
 import type { Row } from "./tree";
-import { variableHandlers } from "./variable-row";
 import { VariableName } from "./VariableName";
 
 interface RowProps {
@@ -117,4 +119,42 @@ function Live({ object }: { object: RobotObject }) {
   });
   if (value === undefined) return null;
   return <span className="palette-live rigid">{valueWords(object, value)}</span>;
+}
+
+/** The button at the end of a part's row that opens its menu; keys open it from the row itself. */
+function CustomBlockMore({ name }: { name: string }) {
+  return (
+    <button
+      type="button"
+      className="own-more muted rigid"
+      tabIndex={-1}
+      aria-label={t("own.menu", { name })}
+      title={t("own.menu", { name })}
+      onPointerDown={(event) => {
+        event.stopPropagation();
+      }}
+      onClick={(event) => {
+        event.stopPropagation();
+        const box = event.currentTarget.getBoundingClientRect();
+        openPartMenu(name, box.left, box.bottom);
+      }}
+    >
+      <Icon name="ellipsis" size={16} />
+    </button>
+  );
+}
+
+/** Handlers for the row. */
+function variableHandlers(of: Named) {
+  const open = (x: number, y: number) => openVariableMenu({ ...of, x, y });
+  return {
+    // The graph leaves Delete to it.
+    "data-removable": true,
+    onDoubleClick: () => renameVariable(of),
+    onContextMenu: (event: MouseEvent) => {
+      event.preventDefault();
+      open(event.clientX, event.clientY);
+    },
+    onPointerDown: (event: PointerEvent) => whenFingerRests(event, open),
+  };
 }

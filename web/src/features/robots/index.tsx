@@ -1,7 +1,7 @@
 /** Real robots: their panel in the place of the arena, sending to them, and STOP. The panel is fetched when it is opened. */
 import type { ReactNode } from "react";
 
-import { t } from "../../i18n/words";
+import { moreWords, t } from "../../i18n/words";
 import { complain } from "../../session/document";
 import { type Feature, STOP_KEY, stopEverything } from "../../session/features";
 import { keyFor, type PageKey } from "../../session/key-table";
@@ -9,7 +9,6 @@ import type { MenuEntries } from "../../session/menu-table";
 import { Icon } from "../../theme";
 import { later } from "../../ui/later";
 import { menuItem } from "../../ui/menu-model";
-import { runOnRobots, saveFileForBoard } from "./commands";
 import { showRobots, useRobotsPanel } from "./state";
 
 const Robots = later(
@@ -75,6 +74,20 @@ function useMenu(): MenuEntries {
       menuItem("robots-stop", t("boards.stop-all"), keyFor.page(STOP_KEY), stopEverything, running === 0),
     ],
   };
+}
+
+/** Asks in the panel what the robot is built of, and saves the file for a board's drive. */
+function saveFileForBoard(): void {
+  showRobots();
+  Promise.all([import("./board-file"), moreWords()]).then(([{ saveBoardFile }]) => {
+    saveBoardFile();
+  }, complain);
+}
+
+/** Sends to every robot that is connected, and runs; where none is, the panel says what to do. */
+function runOnRobots(): void {
+  showRobots();
+  Promise.all([import("./actions"), moreWords()]).then(([{ runOnAll }]) => runOnAll(), complain);
 }
 
 export const robots: Feature = {

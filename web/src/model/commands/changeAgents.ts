@@ -5,8 +5,8 @@
  */
 import { t } from "../../i18n/words";
 import { becomes, type Command } from "../command";
-import { TEAM_ROBOT } from "../team-robot";
 import { startOf } from "../starts";
+import { TEAM_ROBOT } from "../team-robot";
 import type { Agent, Catalogue, Mission } from "../types";
 import { kindOf } from "./castAgents";
 import { declaredNames, groupsOf, rolesOf, withMember } from "./changeDeclared";
@@ -134,4 +134,16 @@ export function removeAgent(mission: Mission, at: number): Command | null {
   if (agent === undefined) return null;
   const trial = { ...trialWith(mission, agent.name, null), ...groupsWithout(mission, agent.name) };
   return withAgents(t("command.delete", { name: agent.name }), mission, mission.agents.toSpliced(at, 1), trial);
+}
+
+/** `starts` are those of the world; null when every agent has one, or none is free. */
+export function placeAgents(mission: Mission, starts: readonly string[]): Command | null {
+  const taken = new Set(mission.agents.map(startOf));
+  const free = starts.filter((start) => !taken.has(start));
+  const agents = mission.agents.map((agent) => {
+    const start = starts.includes(startOf(agent)) ? undefined : free.shift();
+    return start === undefined ? agent : { ...agent, start: start === agent.name ? "" : start };
+  });
+  if (agents.every((agent, at) => agent === mission.agents[at])) return null;
+  return becomes(t("command.place"), { ...mission, agents });
 }

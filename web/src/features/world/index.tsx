@@ -1,15 +1,24 @@
-/** The tab behind the team's, and the panel that it opens, fetched then. */
+/** The world of the mission, drawn and changed. */
+import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { thingNamed } from "../../model/world/thing";
 import { complain } from "../../session/document";
-import type { FeatureTab } from "../../session/features";
+import type { Feature, FeatureTab } from "../../session/features";
+import { keyFor, type PageKey } from "../../session/key-table";
 import { useTeam } from "../../session/team-view";
 import { openWorld } from "../../session/world-view";
 import { later } from "../../ui/later";
+import { menuItem } from "../../ui/menu-model";
+import { WORLD_KEYS } from "./keys";
 
+const KEYS = {
+  world: { chords: ["Alt+W"], says: "world.open", also: "search.world", typing: true, run: () => openWorld() },
+} satisfies Record<string, PageKey>;
+
+/** The tab behind the team's, and the panel that it opens, fetched then. */
 const World = later(() => import("./World").then((chunk) => chunk.default), complain);
 
-export const worldTab: FeatureTab = {
+const worldTab: FeatureTab = {
   name: "world",
   icon: "map",
   label: "world.tab",
@@ -31,3 +40,13 @@ export const worldTab: FeatureTab = {
 function WorldPanel() {
   return useTeam((team) => team.world) ? <World /> : null;
 }
+
+export const world: Feature = {
+  name: "world",
+  tab: worldTab,
+  keys: KEYS,
+  keyTables: [{ heading: "world.tab", rows: WORLD_KEYS }],
+  useMenu: () => ({
+    team: [menuItem("program-world", t("world.open"), keyFor.page(KEYS.world), () => openWorld())],
+  }),
+};

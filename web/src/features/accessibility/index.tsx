@@ -1,18 +1,21 @@
 /** Announcements, the outline, help for a part, and the page on a phone. */
-// In this order: rules for a narrow page win over those for fingers.
 import "./panels.css";
 import "./touch.css";
 import "./narrow.css";
 import "./low.css";
 
 import { t } from "../../i18n/words";
+import { complain } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { keyFor, type PageKey } from "../../session/key-table";
 import type { MenuEntries } from "../../session/menu-table";
+import { later } from "../../ui/later";
 import { menuItem } from "../../ui/menu-model";
+import { Announcer } from "./Announcer";
 import { NarrowTabs } from "./Narrow";
-import { Panels } from "./Panels";
 import { closeHelp, explain, toggleOutline, useAccessibility } from "./state";
+
+// In this order: rules for a narrow page win over those for fingers.
 
 const KEYS = {
   outline: { chords: ["F4"], says: "help.keys-outline", also: "search.structure", typing: true, run: toggleOutline },
@@ -34,6 +37,22 @@ function useMenu(): MenuEntries {
     ],
     part: [menuItem("help-part", t("help.part"), keyFor.page(KEYS.part), explain)],
   };
+}
+
+const Outline = later(() => import("./Outline").then((chunk) => chunk.Outline), complain);
+const PartHelp = later(() => import("./PartHelp").then((chunk) => chunk.PartHelp), complain);
+
+/** What makes the studio reachable for everyone, beside the page itself: announcements, the outline, help for a part. */
+function Panels() {
+  const outline = useAccessibility((state) => state.outline);
+  const explained = useAccessibility((state) => state.explained !== null);
+  return (
+    <>
+      <Announcer />
+      {outline ? <Outline /> : null}
+      {explained ? <PartHelp /> : null}
+    </>
+  );
 }
 
 export const accessibility: Feature = {

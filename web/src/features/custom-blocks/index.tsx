@@ -1,16 +1,38 @@
-/** What lies over the page for parts of one's own: the open sheet, and the menu of a part in the palette. */
+/** Blocks of one's own: saving the selection as one, changing and sharing them. */
 import { useState } from "react";
 
 import { t } from "../../i18n/words";
-import { closeMenu, openDelete, openEdit, useOwn } from "../../session/custom-blocks";
+import { ownConstructors } from "../../model/own";
+import { useStudio } from "../../model/studio";
+import { canSave, closeMenu, openDelete, openEdit, openSave, useOwn } from "../../session/custom-blocks";
 import { complain } from "../../session/document";
+import type { Feature } from "../../session/features";
+import { keyFor } from "../../session/key-table";
+import type { MenuEntries } from "../../session/menu-table";
 import { FloatingMenu } from "../../ui/FloatingMenu";
 import { later } from "../../ui/later";
 import { menuItem } from "../../ui/menu-model";
 import { shareParts } from "./share";
 
+function useMenu(): MenuEntries {
+  const { selection, mission } = useStudio();
+  return {
+    "custom-blocks": [
+      menuItem(
+        "program-save-part",
+        t("own.save"),
+        keyFor.graph("savePart"),
+        openSave,
+        selection.length === 0 || !canSave(),
+      ),
+      menuItem("program-share-parts", t("own.share"), null, shareParts, ownConstructors(mission).length === 0),
+    ],
+  };
+}
+
 const CustomBlockSheets = later(() => import("./CustomBlockSheets").then((chunk) => chunk.CustomBlockSheets), complain);
 
+/** What lies over the page for parts of one's own: the open sheet, and the menu of a part in the palette. */
 export function CustomBlocks() {
   const sheet = useOwn((own) => own.sheet);
   const menu = useOwn((own) => own.menu);
@@ -44,3 +66,5 @@ function PartMenu({ name, x, y }: { name: string; x: number; y: number }) {
     />
   );
 }
+
+export const customBlocks: Feature = { name: "custom-blocks", slots: { "over-page": CustomBlocks }, useMenu };

@@ -1,13 +1,23 @@
 /** The watch: values of variables and sensors over time; breakpoints that the run follows. */
+import { DockButton } from "../../components/DockButton";
+import { t } from "../../i18n/words";
 import { reveal } from "../../session/actions";
 import { followBreakpoints } from "../../session/breakpoints";
 import { complain } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { later } from "../../ui/later";
 import { takeSamples } from "./samples";
-import { WatchButton } from "./WatchButton";
 
 const WatchPanel = later(() => import("./Watch").then((chunk) => chunk.WatchPanel), complain);
+
+/** The watch's button in the bottom bar. */
+function WatchButton() {
+  return (
+    <DockButton icon="eye" testId="watch-button" panel="watch-panel">
+      {t("debug.watch")}
+    </DockButton>
+  );
+}
 
 export const debug: Feature = {
   name: "debug",
