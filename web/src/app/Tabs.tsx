@@ -12,7 +12,7 @@ import { StateShape } from "../components/StateShape";
 import { mirrored } from "../i18n/language";
 import { t } from "../i18n/words";
 import { renameProgram } from "../model/commands/changePrograms";
-import { useStudio } from "../model/studio";
+import { execute, useStudio } from "../model/studio";
 import { TEAM_ROBOT } from "../model/team-robot";
 import { typedName } from "../model/typed-name";
 import { removeProgramNamed } from "../session/actions";
@@ -39,12 +39,12 @@ function NameField({ name }: { name: string }) {
   const [text, setText] = useState(name);
   const [left] = useState(() => document.getElementById(`tab-${name}`)?.offsetLeft ?? 0);
   const stop = () => renameInTab(null);
-  const { mission, catalogue, execute } = useStudio.getState();
+  const { mission, catalogue } = useStudio.getState();
   const wanted = typedName(text);
   const command = wanted === name ? null : renameProgram(mission, name, wanted, catalogue);
   const refused = command === null && wanted !== name;
   const keep = () => {
-    if (command !== null) execute(command);
+    execute(command);
     stop();
   };
   // Back to where the name was asked for.

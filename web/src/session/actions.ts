@@ -2,7 +2,7 @@
 import { t } from "../i18n/words";
 import { becomes, type Command } from "../model/command";
 import { addProgram, moveProgram, removeProgram } from "../model/commands/changePrograms";
-import { useStudio } from "../model/studio";
+import { execute, useStudio } from "../model/studio";
 import type { Mission, World } from "../model/types";
 import { dismissBanner, note, useDocument, whenReady } from "./document";
 import { isLive, useRun, watchedAgent } from "./run";
@@ -75,7 +75,7 @@ export function programWithAgent(
 }
 
 export function addProgramFor(robot: string): void {
-  const { mission, world, execute, setActiveProgram } = useStudio.getState();
+  const { mission, world, setActiveProgram } = useStudio.getState();
   const added = programWithAgent(mission, robot, world);
   if (added === null) return;
   execute(added.command);
@@ -90,9 +90,7 @@ export function addProgramFor(robot: string): void {
 }
 
 export function removeProgramNamed(name: string): void {
-  const { mission, execute } = useStudio.getState();
-  const command = removeProgram(mission, name);
-  if (command !== null) execute(command);
+  execute(removeProgram(useStudio.getState().mission, name));
 }
 
 /** Speeds that the menu and the keys step through; 0 is as fast as it goes. */
@@ -122,9 +120,8 @@ export function goToProgram(by: 1 | -1): void {
 
 /** Moves the open program's tab one place on. */
 export function moveActiveProgram(by: 1 | -1): void {
-  const { mission, activeProgram, execute } = useStudio.getState();
-  const command = moveProgram(mission, activeProgram, by);
-  if (command !== null) execute(command);
+  const { mission, activeProgram } = useStudio.getState();
+  execute(moveProgram(mission, activeProgram, by));
 }
 
 /** Brings a vertex into view: its program's tab, then the vertex itself. */

@@ -6,10 +6,10 @@
 import { breakpointAt, removeBreakpoint, setBreakpoint } from "../model/commands/changeBreakpoints";
 import type { LayoutNode } from "../model/layout";
 import { isMark } from "../model/parts";
-import { useStudio } from "../model/studio";
+import { execute, useStudio } from "../model/studio";
 import { findSpot, inChain } from "../model/tree";
 import type { Breakpoint } from "../model/types";
-import { nodeOf, currentDrawing, type Drawing } from "./drawing";
+import { currentDrawing, type Drawing, nodeOf } from "./drawing";
 import { isThere, useRun } from "./run";
 
 /** The vertex whose instruction holds that one: a condition's is what waits for it. Null for start and stop. */
@@ -36,13 +36,9 @@ export function toggleBreakpoints(): boolean {
   const has = (id: string) => breakpointAt(useStudio.getState().mission, program, id) !== undefined;
   const all = ids.every(has);
   for (const vertex of ids) {
-    const { mission, execute } = useStudio.getState();
-    const command = all
-      ? removeBreakpoint(mission, program, vertex)
-      : has(vertex)
-        ? null
-        : setBreakpoint(drawing.parts, mission, { program, vertex });
-    if (command !== null) execute(command);
+    const { mission } = useStudio.getState();
+    if (all) execute(removeBreakpoint(mission, program, vertex));
+    else if (!has(vertex)) execute(setBreakpoint(drawing.parts, mission, { program, vertex }));
   }
   return true;
 }

@@ -3,7 +3,7 @@ import { ask } from "../api/client";
 import { moreWords, t } from "../i18n/words";
 import { becomes } from "../model/command";
 import { addProgram } from "../model/commands/changePrograms";
-import { useStudio } from "../model/studio";
+import { execute, useStudio } from "../model/studio";
 import { TEAM_ROBOT } from "../model/team-robot";
 import type { Mission } from "../model/types";
 import { complain } from "./document";
@@ -16,7 +16,7 @@ export async function startTeam(): Promise<void> {
   try {
     const json = { mission, path: file.path, name: t("first-team.name") };
     const after = await ask<Mission>("mission/team", { method: "POST", json });
-    const { mission: now, execute, setActiveProgram } = useStudio.getState();
+    const { mission: now, setActiveProgram } = useStudio.getState();
     // What was edited meanwhile is worth more than an answer about what was there before.
     if (now !== mission) return;
     execute(becomes(t("command.first-team"), { ...mission, ...after }));
@@ -32,13 +32,10 @@ export async function startTeam(): Promise<void> {
 /** An empty program of a group, which the program of the whole team can name. */
 export async function addGroupProgram(): Promise<void> {
   await moreWords();
-  const { mission, execute, setActiveProgram } = useStudio.getState();
+  const { mission, setActiveProgram } = useStudio.getState();
   const stem = t("first-team.group-name");
   const taken = mission.programs.map((one) => one.name);
   let name = stem;
   for (let number = 2; taken.includes(name); number++) name = `${stem}-${String(number)}`;
-  const command = addProgram(mission, name, TEAM_ROBOT, "group");
-  if (command === null) return;
-  execute(command);
-  setActiveProgram(name);
+  if (execute(addProgram(mission, name, TEAM_ROBOT, "group"))) setActiveProgram(name);
 }

@@ -11,7 +11,7 @@ import { partsApi, type WantedVariable } from "../api/parts";
 import { languageInUse, t } from "../i18n/words";
 import { addVariable, changeVariable, removeVariable, renamedIn, usesOfVariable } from "../model/commands/changeOwn";
 import { ownVariables } from "../model/own";
-import { programInView, useStudio } from "../model/studio";
+import { execute, programInView, useStudio } from "../model/studio";
 import type { RobotObject } from "../model/types";
 import { reveal as revealVertices } from "./actions";
 import { complain, dismissBanner, note, putBanner } from "./document";
@@ -111,7 +111,7 @@ export function wantedLike(robot: string, one: RobotObject, name: string): Wante
 export async function keepVariable(wanted: WantedVariable): Promise<void> {
   const { file, mission: asked } = useStudio.getState();
   const made = await partsApi.variable(file.path, ownVariables(asked), wanted);
-  const { mission, execute } = useStudio.getState();
+  const { mission } = useStudio.getState();
   const { robot, was } = wanted;
   const { name } = made.variable;
   const command = was === "" ? addVariable(mission, made) : changeVariable(mission, robot, was, made);
@@ -137,11 +137,7 @@ export function takeAway(of: Named): void {
   const { robot, name } = of;
   set({ menu: null });
   if (ownVariable(of) === undefined) return void tellWhere(of);
-  const remove = () => {
-    const { mission, execute } = useStudio.getState();
-    const command = removeVariable(mission, robot, name);
-    if (command !== null) execute(command);
-  };
+  const remove = () => void execute(removeVariable(useStudio.getState().mission, robot, name));
   const uses = usesOfVariable(useStudio.getState().mission, robot, name);
   if (uses.length === 0) return remove();
   const words = uses.map(({ program, vertices }) => t("variable.used-in", { program, count: vertices.length }));

@@ -12,7 +12,7 @@ import { t } from "../../i18n/words";
 import { setField, stepsSince } from "../../model/commands/setField";
 import { figures, inWords, storedNumber, unitOf } from "../../model/meaning";
 import type { Field } from "../../model/parts";
-import { useStudio } from "../../model/studio";
+import { execute, useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { Vertex } from "../../model/types";
 import { isOn } from "../../model/words";
@@ -50,11 +50,7 @@ export function FieldRow(props: FieldProps) {
 }
 
 function useSetter({ drawing: { program, parts }, vertex, field }: FieldProps): (value: string) => void {
-  const execute = useStudio((state) => state.execute);
-  return (value) => {
-    const command = setField(program, parts, vertex.id, field.name, value);
-    if (command !== null) execute(command);
-  };
+  return (value) => execute(setField(program, parts, vertex.id, field.name, value));
 }
 
 function toGraph(): void {

@@ -6,7 +6,7 @@ import { TextEditor } from "../../components/text/TextEditor";
 import { languageInUse, sentence, t } from "../../i18n/words";
 import { usesOfConstructor } from "../../model/commands/changeOwn";
 import { changePart } from "../../model/commands/ownParts";
-import { programInView, useStudio } from "../../model/studio";
+import { execute, programInView, useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { Constructor, Problem, Slot } from "../../model/types";
 import { closeSheet } from "../../session/custom-blocks";
@@ -103,8 +103,7 @@ function Editing({ name, part }: { name: string; part: Constructor }) {
       setRead(answer);
       if (answer.constructor === null) return;
       const now = useStudio.getState();
-      const command = changePart(now.mission, now.files, name, answer.constructor);
-      if (command !== null) now.execute(command);
+      execute(changePart(now.mission, now.files, name, answer.constructor));
       closeSheet();
     } catch (cause) {
       setFailure(whyNot(cause));

@@ -7,7 +7,7 @@ import { sentence, t } from "../../i18n/words";
 import { saveAsPart } from "../../model/commands/ownParts";
 import { catalogueOf, ownConstructors } from "../../model/own";
 import { partsOf } from "../../model/parts";
-import { useStudio } from "../../model/studio";
+import { execute, useStudio } from "../../model/studio";
 import type { Mission } from "../../model/types";
 import { closeSheet } from "../../session/custom-blocks";
 import { Checkbox } from "../../ui/Checkbox";
@@ -112,15 +112,11 @@ export function SaveSheet({ program, vertices }: { program: string; vertices: st
         setFailure(saidOf(refused));
         return;
       }
-      const studio = useStudio.getState();
-      if (studio.mission !== wish.mission) {
+      if (useStudio.getState().mission !== wish.mission) {
         setFailure(t("own.changed"));
         return;
       }
-      const command = saveAsPart(wish.mission, part.constructor, inPlace ? part : null);
-      if (command === null) return;
-      studio.execute(command);
-      closeSheet();
+      if (execute(saveAsPart(wish.mission, part.constructor, inPlace ? part : null))) closeSheet();
     } catch (cause) {
       setFailure(whyNot(cause));
     }

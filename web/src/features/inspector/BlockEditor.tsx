@@ -7,7 +7,7 @@ import { insertPart } from "../../model/commands/insertPart";
 import { replaceElement } from "../../model/commands/replaceElement";
 import { type Field, fieldOf, fits, type Parts, type Plug, type Shape, title } from "../../model/parts";
 import type { Block } from "../../model/structure";
-import { useStudio } from "../../model/studio";
+import { execute, useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { Spot } from "../../model/tree";
 import { wordsOf } from "../../model/words";
@@ -19,8 +19,7 @@ import { Row } from "../../ui/Row";
 
 /** Runs a command and leaves the selection where it is. */
 function runHere(command: Command | null): void {
-  const { execute, selection } = useStudio.getState();
-  if (command !== null) execute({ ...command, selects: selection });
+  if (command !== null) execute({ ...command, selects: useStudio.getState().selection });
 }
 
 export function BlockEditor({ drawing, spot }: { drawing: Drawing; spot: Spot }) {

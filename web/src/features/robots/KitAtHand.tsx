@@ -2,7 +2,7 @@
 import { languageInUse, t } from "../../i18n/words";
 import { changeRobot } from "../../model/commands/changeRobot";
 import { robotKinds } from "../../model/robot-kinds";
-import { programInView, useStudio } from "../../model/studio";
+import { execute, programInView, useStudio } from "../../model/studio";
 import { TEAM_ROBOT } from "../../model/team-robot";
 import { text } from "../../model/texts";
 import { buildWith, suitedRobot, useKit } from "../../session/kit";
@@ -14,9 +14,8 @@ import { askKit, knownKit, useKitsAt } from "./kits";
 const EMPTY = 2;
 
 function takeRobot(robot: string): void {
-  const { mission, catalogue, activeProgram, execute } = useStudio.getState();
-  const command = changeRobot(mission, catalogue, activeProgram, robot);
-  if (command !== null) execute(command);
+  const { mission, catalogue, activeProgram } = useStudio.getState();
+  execute(changeRobot(mission, catalogue, activeProgram, robot));
 }
 
 /** What was answered: a program without parts takes the robot that the kit can be most of. */

@@ -2,7 +2,7 @@
 import { NumberInput } from "../../components/fields/NumberInput";
 import { t } from "../../i18n/words";
 import { setFailures } from "../../model/commands/changeTrial";
-import { useStudio } from "../../model/studio";
+import { execute, useStudio } from "../../model/studio";
 import type { ScheduledFailure } from "../../model/types";
 import { isLive, setFailRate, useRun } from "../../session/run";
 import { Select } from "../../ui/Select";
@@ -15,9 +15,7 @@ const LATER_S = 10;
 const NONE: readonly ScheduledFailure[] = [];
 
 function put(failures: readonly ScheduledFailure[]): void {
-  const { mission, execute } = useStudio.getState();
-  const command = setFailures(mission, failures);
-  if (command !== null) execute(command);
+  execute(setFailures(useStudio.getState().mission, failures));
 }
 
 function Row({ item: failure, at, removed }: RowProps<ScheduledFailure>) {

@@ -9,7 +9,7 @@ import { useEffect, useRef } from "react";
 
 import { languageInUse, t } from "../../i18n/words";
 import { changeTitle } from "../../model/commands/changeTitle";
-import { useStudio } from "../../model/studio";
+import { execute, useStudio } from "../../model/studio";
 import { startTeam } from "../../session/first-team";
 import { useShown } from "../../session/simple-view";
 import { useTeam } from "../../session/team-view";
@@ -75,10 +75,8 @@ export function About() {
   const help = useStudio((studio) => studio.mission.help);
   const spoken = languageInUse();
   const language = spoken === "en" ? "" : spoken;
-  const change = (what: "label" | "help", words: string) => {
-    const command = changeTitle(useStudio.getState().mission, what, language, words);
-    if (command !== null) useStudio.getState().execute(command);
-  };
+  const change = (what: "label" | "help", words: string) =>
+    execute(changeTitle(useStudio.getState().mission, what, language, words));
   return (
     <section className="team-part surface" aria-labelledby="team-about">
       <h2 id="team-about">{t("team.about")}</h2>

@@ -5,12 +5,12 @@ import { partsApi } from "../../api/parts";
 import { decimal } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { changeWorld, sameWorld } from "../../model/commands/changeWorld";
-import { useStudio } from "../../model/studio";
+import { execute, useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { WorldEntry } from "../../model/types";
 import { complain } from "../../session/document";
-import { foreseeWorld, useFiles } from "../../session/world-files";
 import { editWorld } from "../../session/world-edits";
+import { foreseeWorld, useFiles } from "../../session/world-files";
 import { openWorld } from "../../session/world-view";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
@@ -64,8 +64,7 @@ function Card({ entry, chosen }: { entry: WorldEntry; chosen: boolean }) {
           checked={chosen}
           onChange={() => {
             foreseeWorld(href, world);
-            const command = changeWorld(useStudio.getState().mission, href);
-            if (command !== null) useStudio.getState().execute(command);
+            execute(changeWorld(useStudio.getState().mission, href));
           }}
         />
         <strong>
