@@ -8,12 +8,8 @@
 import { t } from "../i18n/words";
 import { socketAddress } from "./address";
 import { talk } from "./line";
+import type { Failure } from "./refusal";
 import { decodeFrames, type PoseFrame, type RunMessage, type RunRequest } from "./wire";
-
-export interface Failure {
-  message: string;
-  help: string;
-}
 
 export interface RunSocket {
   send: (request: RunRequest) => void;

@@ -25,6 +25,7 @@ import { useStage } from "../session/stage";
 import { keepTeamView, useTeam } from "../session/team-view";
 import { useView } from "../session/view";
 import { keepWorld } from "../session/world-files";
+import { endAll } from "../ui/effects";
 import { Banner } from "./Banner";
 import { begin } from "./beginning";
 import { FEATURES } from "./features";
@@ -47,26 +48,14 @@ export function Journal() {
     };
     const offBack = sayWhenBack();
     const stop = keepJournal(complainOfJournal, hearOfDisk, undefined, { onReturn, onStranger: sayStranger });
-    return () => {
-      offBack();
-      stop();
-    };
+    return endAll(offBack, stop);
   }, []);
   return null;
 }
 
 /** Opens the first mission once, and keeps the report fresh while the page is there. */
 function useDocumentFlow(): void {
-  useEffect(() => {
-    const offDisk = watchDisk();
-    const offWorld = keepWorld();
-    const offTeam = keepTeamView();
-    return () => {
-      offWorld();
-      offTeam();
-      offDisk();
-    };
-  }, []);
+  useEffect(() => endAll(watchDisk(), keepWorld(), keepTeamView()), []);
   useEffect(() => {
     if (!begun) {
       begun = true;
@@ -79,12 +68,7 @@ function useDocumentFlow(): void {
   useEffect(() => {
     if (!opening && document.activeElement === document.body) useView.getState().viewport?.focus();
   }, [opening]);
-  useEffect(() => {
-    const ends = FEATURES.flatMap(({ start }) => start?.() ?? []);
-    return () => {
-      for (const end of ends) end();
-    };
-  }, []);
+  useEffect(() => endAll(...FEATURES.flatMap(({ start }) => start?.() ?? [])), []);
   useEffect(() => {
     const ask = (event: BeforeUnloadEvent) => {
       if (useStudio.getState().dirty && !isKept() && !hasEarlyWork()) event.preventDefault();

@@ -1,7 +1,6 @@
 /** What the page has without any feature: its mission, its programs and its look. A feature as the others are. */
 import { api } from "../api/client";
-import { useLanguage } from "../i18n/language";
-import { type Key, type Language, languageInUse, LANGUAGES, t } from "../i18n/words";
+import { t } from "../i18n/words";
 import { type StudioState, useStudio } from "../model/studio";
 import { goToProgram, moveActiveProgram, removeProgramNamed } from "../session/actions";
 import { complain, fileName, show } from "../session/document";
@@ -14,7 +13,8 @@ import { chooseSimple, tellNeed, useNeed, useSimpleView } from "../session/simpl
 import { type ThemeChoice, useTheme } from "../theme";
 import { download } from "../ui/download";
 import { later } from "../ui/later";
-import { type MenuEntry, menuItem } from "../ui/menu-model";
+import { languageEntries, SPOKEN, themeEntries, THEMES } from "../ui/look-entries";
+import { menuCheck, type MenuEntry, menuItem } from "../ui/menu-model";
 import { robotEntries } from "./AddProgram";
 import { KEYS } from "./page-keys";
 import { renameInTab } from "./renaming";
@@ -50,8 +50,6 @@ function historyEntries({ undo, redo, canUndo, canRedo, undoLabel, redoLabel }: 
   };
 }
 
-const THEMES: ThemeChoice[] = ["light", "dark", "contrast", "system"];
-const SPOKEN = Object.keys(LANGUAGES) as Language[];
 const PANELS: Panel[] = ["palette", "inspector", "code", "arena"];
 
 const WORDS: Feature["words"] = {
@@ -64,29 +62,13 @@ const WORDS: Feature["words"] = {
 function lookEntries(choice: ThemeChoice, folded: Record<Panel, boolean>): MenuEntry[] {
   return [
     { kind: "heading", id: "view-theme", label: t("view.theme") },
-    ...THEMES.map((theme): MenuEntry => ({
-      kind: "radio",
-      id: `view-${theme}`,
-      label: t(`view.${theme}` as Key),
-      checked: choice === theme,
-      run: () => useTheme.getState().choose(theme),
-    })),
+    ...themeEntries(choice),
     { kind: "heading", id: "view-language", label: t("view.language") },
-    ...SPOKEN.map((language): MenuEntry => ({
-      kind: "radio",
-      id: `view-${language}`,
-      label: LANGUAGES[language].name,
-      checked: languageInUse() === language,
-      run: () => void useLanguage.getState().choose(language),
-    })),
+    ...languageEntries(),
     { kind: "heading", id: "view-panels", label: t("view.panels") },
-    ...PANELS.map((panel): MenuEntry => ({
-      kind: "check",
-      id: `view-${panel}`,
-      label: t(`view.${panel}`),
-      checked: !folded[panel],
-      run: () => useLayout.getState().toggle(panel),
-    })),
+    ...PANELS.map((panel) =>
+      menuCheck(`view-${panel}`, t(`view.${panel}`), !folded[panel], () => useLayout.getState().toggle(panel)),
+    ),
   ];
 }
 

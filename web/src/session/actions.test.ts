@@ -1,7 +1,8 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
 
+import { freeName } from "../model/free-name";
 import type { Mission, World } from "../model/types";
-import { freeName, nextSpeed, programWithAgent, run } from "./actions";
+import { nextSpeed, programWithAgent, run } from "./actions";
 import { useDocument } from "./document";
 import { useRun } from "./run";
 

@@ -2,6 +2,7 @@
 import { t } from "../i18n/words";
 import { becomes, type Command } from "../model/command";
 import { addProgram, moveProgram, removeProgram } from "../model/commands/changePrograms";
+import { freeName } from "../model/free-name";
 import { execute, useStudio } from "../model/studio";
 import type { Mission, World } from "../model/types";
 import { dismissBanner, note, useDocument, whenReady } from "./document";
@@ -40,14 +41,6 @@ export function stepVertex(back: boolean): void {
   const { activeProgram } = useStudio.getState();
   const state = useRun.getState();
   state.step("vertex", back, watchedAgent(state, activeProgram)?.name ?? "");
-}
-
-/** `stem-1`, `stem-2`, …: the first that is not taken. */
-export function freeName(stem: string, taken: readonly string[]): string {
-  for (let number = 1; ; number++) {
-    const name = `${stem}-${String(number)}`;
-    if (!taken.includes(name)) return name;
-  }
 }
 
 /** The first start of the world that no agent uses. */

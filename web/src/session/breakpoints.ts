@@ -9,6 +9,7 @@ import { isMark } from "../model/parts";
 import { execute, useStudio } from "../model/studio";
 import { findSpot, inChain } from "../model/tree";
 import type { Breakpoint } from "../model/types";
+import { endAll } from "../ui/effects";
 import { currentDrawing, type Drawing, nodeOf } from "./drawing";
 import { isThere, useRun } from "./run";
 
@@ -45,21 +46,19 @@ export function toggleBreakpoints(): boolean {
 
 /** Sends changed breakpoints to the run, and shows where it pauses; the returned function ends that. */
 export function followBreakpoints(reveal: (program: string, vertices: string[]) => void): () => void {
-  const offStudio = useStudio.subscribe(({ mission }, before) => {
-    const [now, then] = [mission.breakpoints ?? NONE, before.mission.breakpoints ?? NONE];
-    const run = useRun.getState();
-    if (now !== then && (run.status === "connecting" || isThere(run))) run.pauseAt(now);
-  });
-  const offRun = useRun.subscribe(({ hits, selectAgent }, before) => {
-    const [hit] = hits;
-    if (hit === undefined || hits === before.hits) return;
-    selectAgent(hit.agent, hit.program);
-    reveal(hit.program, [hit.vertex]);
-  });
-  return () => {
-    offStudio();
-    offRun();
-  };
+  return endAll(
+    useStudio.subscribe(({ mission }, before) => {
+      const [now, then] = [mission.breakpoints ?? NONE, before.mission.breakpoints ?? NONE];
+      const run = useRun.getState();
+      if (now !== then && (run.status === "connecting" || isThere(run))) run.pauseAt(now);
+    }),
+    useRun.subscribe(({ hits, selectAgent }, before) => {
+      const [hit] = hits;
+      if (hit === undefined || hits === before.hits) return;
+      selectAgent(hit.agent, hit.program);
+      reveal(hit.program, [hit.vertex]);
+    }),
+  );
 }
 
 const NONE: Breakpoint[] = [];

@@ -3,6 +3,7 @@ import { ask } from "../api/client";
 import { moreWords, t } from "../i18n/words";
 import { becomes } from "../model/command";
 import { addProgram } from "../model/commands/changePrograms";
+import { firstFree } from "../model/free-name";
 import { execute, useStudio } from "../model/studio";
 import { TEAM_ROBOT } from "../model/team-robot";
 import type { Mission } from "../model/types";
@@ -34,8 +35,7 @@ export async function addGroupProgram(): Promise<void> {
   await moreWords();
   const { mission, setActiveProgram } = useStudio.getState();
   const stem = t("first-team.group-name");
-  const taken = mission.programs.map((one) => one.name);
-  let name = stem;
-  for (let number = 2; taken.includes(name); number++) name = `${stem}-${String(number)}`;
+  const isTaken = (name: string) => mission.programs.some((one) => one.name === name);
+  const name = firstFree((number) => (number === 1 ? stem : `${stem}-${String(number)}`), isTaken);
   if (execute(addProgram(mission, name, TEAM_ROBOT, "group"))) setActiveProgram(name);
 }

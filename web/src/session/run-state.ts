@@ -1,6 +1,6 @@
 /** What the page knows of a run, and what can be asked of it. */
 import type { FleetRequest, RobotsRequest, StartRequest, TeamNow } from "../api/generated";
-import type { Failure } from "../api/socket";
+import type { Failure } from "../api/refusal";
 import type { Ability, AgentReport, Harm, Hit, RunEvent, StartedAgent } from "../api/wire";
 import type { Breakpoint, Mission, Problem, World } from "../model/types";
 

@@ -8,7 +8,7 @@ import { create } from "zustand";
 
 import { ApiError } from "../api/client";
 import { partsApi, type WantedVariable } from "../api/parts";
-import { languageInUse, t } from "../i18n/words";
+import { listed, t } from "../i18n/words";
 import { addVariable, changeVariable, removeVariable, renamedIn, usesOfVariable } from "../model/commands/changeOwn";
 import { ownVariables } from "../model/own";
 import { execute, programInView, useStudio } from "../model/studio";
@@ -141,7 +141,6 @@ export function takeAway(of: Named): void {
   const uses = usesOfVariable(useStudio.getState().mission, robot, name);
   if (uses.length === 0) return remove();
   const words = uses.map(({ program, vertices }) => t("variable.used-in", { program, count: vertices.length }));
-  const places = new Intl.ListFormat(languageInUse()).format(words);
   const shows = uses.slice(0, 3).map(({ program, vertices }) => ({
     label: t("variable.show-in", { program }),
     run: () => revealVertices(program, vertices),
@@ -152,7 +151,7 @@ export function takeAway(of: Named): void {
   };
   putBanner({
     kind: "question",
-    message: t("variable.used", { name, places }),
+    message: t("variable.used", { name, places: listed(words) }),
     help: t("variable.used-help"),
     actions: [
       ...shows,

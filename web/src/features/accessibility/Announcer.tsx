@@ -11,6 +11,7 @@ import { changesOf } from "../../session/members";
 import { type RunState, useRun } from "../../session/run";
 import { spoken, spokenArc } from "../../session/spoken";
 import { useView } from "../../session/view";
+import { endAll } from "../../ui/effects";
 
 /** What happened, in words; "" for what need not be said. */
 export function changeWords({ change, redoLabel, undoLabel }: StudioState): string {
@@ -51,11 +52,7 @@ export function Announcer() {
     const offRun = useRun.subscribe((run, before) => {
       if (run.events !== before.events) say(teamWords(run, before));
     });
-    return () => {
-      offRun();
-      offChanges();
-      offArcs();
-    };
+    return endAll(offRun, offChanges, offArcs);
   }, []);
   // The same words twice are news twice: a space at their end makes them another text.
   return (

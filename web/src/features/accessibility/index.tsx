@@ -10,7 +10,7 @@ import type { Feature } from "../../session/features";
 import { keyFor, type PageKey } from "../../session/key-table";
 import type { MenuEntries } from "../../session/menu-table";
 import { later } from "../../ui/later";
-import { menuItem } from "../../ui/menu-model";
+import { menuCheck, menuItem } from "../../ui/menu-model";
 import { Announcer } from "./Announcer";
 import { NarrowTabs } from "./Narrow";
 import { closeHelp, explain, toggleOutline, useAccessibility } from "./state";
@@ -25,16 +25,7 @@ const KEYS = {
 function useMenu(): MenuEntries {
   const outline = useAccessibility((state) => state.outline);
   return {
-    outline: [
-      {
-        kind: "check",
-        id: "view-outline",
-        label: t("outline.title"),
-        keys: keyFor.page(KEYS.outline),
-        checked: outline,
-        run: toggleOutline,
-      },
-    ],
+    outline: [menuCheck("view-outline", t("outline.title"), outline, toggleOutline, keyFor.page(KEYS.outline))],
     part: [menuItem("help-part", t("help.part"), keyFor.page(KEYS.part), explain)],
   };
 }

@@ -2,6 +2,8 @@
  * Boxes, balls and walls are taken to another place in the arena itself, before a run: dragged with the mouse or a finger, or
  * taken with M and moved with the arrows, as robots are too. Each is one step of undo; a world of a file is copied first.
  */
+import "./placing.css";
+
 import { type RefObject, useEffect, useRef, useState } from "react";
 
 import { partsApi } from "../../api/parts";
@@ -20,9 +22,9 @@ import { shapeOf } from "../../model/world/shape";
 import { type Kind, partsOfKind, sameThing, type Thing } from "../../model/world/thing";
 import { keyIn } from "../../session/key-table";
 import { keepMoved } from "../../session/world-edits";
-import { announce } from "./robots";
+import { awaitAnswer } from "../../ui/effects";
 import { ARENA_KEYS } from "./keys";
-import "./placing.css";
+import { announce } from "./robots";
 
 const KINDS: readonly Kind[] = ["ball", "box", "wall"];
 const [REACH_PX, CLICK_PX, RING_PX] = [8, 4, 26];
@@ -67,17 +69,8 @@ function usePlan(): OwnWorld | null {
   const of = `${path}\n${href}`;
   useEffect(() => {
     if (own !== null) return;
-    let wanted = true;
     // Whoever cannot have it moves the view instead; the list of problems says why.
-    partsApi.plan(path, href).then(
-      ({ world }) => {
-        if (wanted) setFetched({ of: `${path}\n${href}`, world });
-      },
-      () => undefined,
-    );
-    return () => {
-      wanted = false;
-    };
+    return awaitAnswer(partsApi.plan(path, href), ({ world }) => setFetched({ of: `${path}\n${href}`, world }));
   }, [own, href, path]);
   return own ?? (fetched?.of === of ? fetched.world : null);
 }

@@ -6,7 +6,7 @@ import { t } from "../../i18n/words";
 import { posesAt } from "../../session/poses";
 import { can, useRun } from "../../session/run";
 import { FloatingMenu } from "../../ui/FloatingMenu";
-import { type MenuEntry, menuItem } from "../../ui/menu-model";
+import { menuCheck, type MenuEntry, menuItem } from "../../ui/menu-model";
 import { closeRobotMenu, follow, harm, useRobots } from "./robots";
 
 export function RobotMenu({ onClosed }: { onClosed: () => void }) {
@@ -32,7 +32,7 @@ export function entriesOf(name: string, on: boolean): MenuEntry[] {
     ...(byRadio ? [menuItem("harm-apart", t("harm.apart"), null, () => harm(name, "apart"), !on)] : []),
     menuItem("harm-revive", t("harm.revive"), null, () => harm(name, "revive"), !on || !(isDown || isMuted || byRadio)),
     { kind: "line", id: "harm-1" },
-    { kind: "check", id: "harm-follow", label: t("harm.follow"), checked: followed === name, run: () => follow(name) },
+    menuCheck("harm-follow", t("harm.follow"), followed === name, () => follow(name)),
   ];
 }
 

@@ -6,16 +6,15 @@ import type { MenuEntries } from "../../session/menu-table";
 import { openRoom } from "../../session/narrow";
 import { useRun } from "../../session/run";
 import { setBeside, useStage } from "../../session/stage";
+import { menuCheck } from "../../ui/menu-model";
 import { Arena } from "./Arena";
 import { ARENA_KEYS, PAGE_KEYS } from "./keys";
 import { toggleStage, useParts } from "./parts";
 
 function useMenu(): MenuEntries {
   const checked = useStage((stage) => stage.large);
-  const label = t("arena.large");
-  return {
-    look: [{ kind: "check", id: "view-stage", label, keys: keyFor.page(PAGE_KEYS.stage), checked, run: toggleStage }],
-  };
+  const key = keyFor.page(PAGE_KEYS.stage);
+  return { look: [menuCheck("view-stage", t("arena.large"), checked, toggleStage, key)] };
 }
 
 /** Under a small program beside a large arena: the robot that is watched. */

@@ -6,7 +6,7 @@ import type { Feature } from "../../session/features";
 import { GRAPH_KEYS, keyFor, type PageKey } from "../../session/key-table";
 import type { MenuEntries } from "../../session/menu-table";
 import { openFind, toggleLive, useView } from "../../session/view";
-import { menuItem } from "../../ui/menu-model";
+import { menuCheck, menuItem } from "../../ui/menu-model";
 import { Canvas } from "./Canvas";
 import { copySelection, cutSelection, pasteFromMenu } from "./clipboard";
 import { selectAll } from "./keys";
@@ -43,7 +43,7 @@ function useCanvasMenu(): MenuEntries {
       menuItem("view-home", t("view.home"), keyFor.graph("home"), () => viewport?.home(), away),
       menuItem("view-zoom-in", t("view.zoom-in"), keyFor.graph("zoomIn"), () => viewport?.zoomIn(), away),
       menuItem("view-zoom-out", t("view.zoom-out"), keyFor.graph("zoomOut"), () => viewport?.zoomOut(), away),
-      { kind: "check", id: "view-live", label: t("graph.live"), checked: live, run: toggleLive },
+      menuCheck("view-live", t("graph.live"), live, toggleLive),
     ],
   };
 }

@@ -6,6 +6,7 @@ import { type FormEvent, type ReactNode, useEffect, useRef, useState } from "rea
 import { classApi } from "../../api/class";
 import { ApiError } from "../../api/client";
 import { inPage } from "../../api/line";
+import { type Failure, whyRefused } from "../../api/refusal";
 import { siteParts } from "../../api/site-parts";
 import { takeToken } from "../../api/token";
 import { Said } from "../../i18n/Said";
@@ -40,25 +41,19 @@ export function Join() {
   /** The name that is taken. */
   const [taken, setTaken] = useState("");
   const [asked, setAsked] = useState("");
-  const [failure, setFailure] = useState<{ message: string; help: string } | null>(null);
+  const [failure, setFailure] = useState<Failure | null>(null);
   const [busy, setBusy] = useState(false);
   const nameField = useRef<HTMLInputElement>(null);
 
-  const fail = (cause: unknown) => {
-    const help = cause instanceof ApiError ? cause.help : "";
-    setFailure({ message: cause instanceof Error ? cause.message : String(cause), help });
-  };
+  const fail = (cause: unknown) => setFailure(whyRefused(cause));
   useEffect(forgetLeft, []);
   useEffect(fetchAhead, []);
   useEffect(() => {
     const look = () => {
-      classApi.about().then(
-        (found) => {
-          setAbout(found);
-          setFailure((before) => (before?.message === t("class.offline") ? null : before));
-        },
-        (cause: unknown) => fail(cause),
-      );
+      classApi.about().then((found) => {
+        setAbout(found);
+        setFailure((before) => (before?.message === t("class.offline") ? null : before));
+      }, fail);
     };
     look();
     const timer = setInterval(look, 5 * ASK_MS);

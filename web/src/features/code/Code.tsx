@@ -19,6 +19,7 @@ import { type CodeSide, showCode, useCodeSide } from "../../session/code-side";
 import { complain } from "../../session/document";
 import { useShown } from "../../session/simple-view";
 import { useTyping } from "../../session/typing";
+import { awaitAnswer } from "../../ui/effects";
 import { later } from "../../ui/later";
 import { TabList } from "../../ui/TabList";
 import { Lll } from "./Lll";
@@ -90,18 +91,9 @@ export function useListing(looks: boolean): string {
   const empty = (found?.instructions ?? 0) === 0;
   useEffect(() => {
     if (!looks || empty) return;
-    let wanted = true;
     const { mission, file } = useStudio.getState();
-    api.image(mission, file.path, name).then(
-      ({ listing }) => {
-        if (wanted) setMade({ name, listing });
-      },
-      // The mission is another one by now, or the server is away: the next report, or the banner, says so.
-      () => undefined,
-    );
-    return () => {
-      wanted = false;
-    };
+    // Where it fails the mission is another one by now, or the server is away: the next report, or the banner, says so.
+    return awaitAnswer(api.image(mission, file.path, name), ({ listing }) => setMade({ name, listing }));
   }, [looks, empty, found, name]);
   // Never that of another program, which was in view before.
   return looks && !empty && made.name === name ? made.listing : "";

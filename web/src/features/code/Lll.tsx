@@ -13,6 +13,7 @@ import { spansInUnits } from "../../session/places";
 import { useActiveVertices } from "../../session/run";
 import { connectTyping, type Draft, setFocused, typeText, useTyping } from "../../session/typing";
 import { Icon } from "../../theme";
+import { endAll } from "../../ui/effects";
 import { showMistakes } from "./mistakes";
 import { activeLines, vertexAt, vertexOfLine } from "./spans";
 
@@ -68,11 +69,7 @@ export function Lll({
   );
 
   useEffect(() => {
-    const ends = [connectTyping(api.follow), showMistakes(), watchGraph()];
-    return () => {
-      for (const end of ends) end();
-      outlineVertex(null);
-    };
+    return endAll(connectTyping(api.follow), showMistakes(), watchGraph(), () => outlineVertex(null));
   }, []);
 
   const onPick = useCallback(

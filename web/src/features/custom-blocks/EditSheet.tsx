@@ -10,6 +10,7 @@ import { execute, programInView, useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { Constructor, Problem, Slot } from "../../model/types";
 import { closeSheet } from "../../session/custom-blocks";
+import { afterPause, awaitAnswer } from "../../ui/effects";
 import { Sheet } from "../../ui/Sheet";
 import { Look, type LookOf } from "./Look";
 import { ownPart, plainName, wrongWith } from "./naming";
@@ -60,26 +61,19 @@ function Editing({ name, part }: { name: string; part: Constructor }) {
 
   useEffect(() => {
     latest.current = draft;
-    let there = true;
-    const timer = window.setTimeout(() => {
+    return afterPause(PAUSE_MS, () => {
       const { mission, file } = useStudio.getState();
-      partsApi.read(mission, file.path, robot, draft).then(
+      return awaitAnswer(
+        partsApi.read(mission, file.path, robot, draft),
         (answer) => {
-          if (!there) return;
           setRead(answer);
           setFailure("");
           setCode((before) => before ?? answer.lll.trimEnd());
           if (answer.constructor !== null) setSlots((before) => sameSlots(before, answer.constructor?.slots ?? []));
         },
-        (cause: unknown) => {
-          if (there) setFailure(whyNot(cause));
-        },
+        (cause) => setFailure(whyNot(cause)),
       );
-    }, PAUSE_MS);
-    return () => {
-      there = false;
-      window.clearTimeout(timer);
-    };
+    });
   }, [draft, robot]);
 
   const problems = useMemo(

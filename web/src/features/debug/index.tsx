@@ -5,6 +5,7 @@ import { reveal } from "../../session/actions";
 import { followBreakpoints } from "../../session/breakpoints";
 import { complain } from "../../session/document";
 import type { Feature } from "../../session/features";
+import { endAll } from "../../ui/effects";
 import { later } from "../../ui/later";
 import { takeSamples } from "./samples";
 
@@ -24,8 +25,5 @@ export const debug: Feature = {
   elsewhere: [{ name: "debug.watch", says: "elsewhere.watch", also: "search.watch" }],
   docks: { "watch-panel": WatchPanel },
   slots: { bottom: WatchButton },
-  start: () => {
-    const ends = [followBreakpoints(reveal), takeSamples()];
-    return () => ends.forEach((end) => end());
-  },
+  start: () => endAll(followBreakpoints(reveal), takeSamples()),
 };

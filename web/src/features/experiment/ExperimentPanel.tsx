@@ -9,6 +9,7 @@ import { clock, grouped } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { Button } from "../../ui/Button";
+import { afterPause, endAll } from "../../ui/effects";
 import { useWidth } from "../../ui/use-width";
 import { Results } from "./Results";
 import { Setup } from "./Setup";
@@ -29,11 +30,10 @@ export function ExperimentPanel() {
   const isNarrow = width < NARROW_PX;
   useEffect(() => {
     const stop = new AbortController();
-    const timer = setTimeout(() => void fetchChoices(stop.signal), QUIET_MS);
-    return () => {
-      clearTimeout(timer);
-      stop.abort();
-    };
+    return endAll(
+      afterPause(QUIET_MS, () => void fetchChoices(stop.signal)),
+      () => stop.abort(),
+    );
   }, [mission, path]);
   const setup = (
     <div key="setup" className="experiment-setup column">

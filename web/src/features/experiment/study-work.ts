@@ -18,8 +18,8 @@ import type {
   StudyRun,
   WorkRefusedMessage,
 } from "../../api/generated";
+import { type WhyRefused, whyRefused } from "../../api/refusal";
 import { beginWork, type Work } from "../../api/work";
-import { type WhyRefused, whyRefused } from "../../components/why-refused";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { isHeldByRobotsOrFleet } from "../../session/confirming-run";

@@ -10,6 +10,7 @@ import { Button } from "../../ui/Button";
 import { Checkbox } from "../../ui/Checkbox";
 import { nextCard } from "../../ui/grid";
 import { SearchField } from "../../ui/SearchField";
+import { Select } from "../../ui/Select";
 import { readStored, writeStored } from "../../ui/stored";
 import { Card } from "./Card";
 import { ALL, byLevel, fitting, robotsOf, topicsOf, type Wish } from "./filter";
@@ -80,20 +81,17 @@ export function Gallery({ examples, open }: GalleryProps) {
             cards()[0]?.focus();
           }}
         />
-        <select
+        <Select
           className="field gallery-robot"
-          aria-label={t("gallery.robot")}
-          data-testid="gallery-robot"
+          label={t("gallery.robot")}
+          testId="gallery-robot"
           value={wish.robot}
-          onChange={(event) => change({ robot: event.target.value })}
-        >
-          <option value="">{t("gallery.robot-all")}</option>
-          {robotsOf(examples).map((name) => (
-            <option key={name} value={name}>
-              {robotName(name)}
-            </option>
-          ))}
-        </select>
+          options={[
+            ["", t("gallery.robot-all")],
+            ...robotsOf(examples).map((name) => [name, robotName(name)] as const),
+          ]}
+          keep={(robot) => change({ robot })}
+        />
         <Checkbox className="gallery-plays finger" testId="gallery-plays" checked={plays} set={playsAlways}>
           {t("gallery.move")}
         </Checkbox>

@@ -10,6 +10,7 @@ import type { Feature } from "../../session/features";
 import type { PageKey } from "../../session/key-table";
 import { fixProblem, PROBLEMS, showFirstProblem, useProblems, walkProblems } from "../../session/problem-walk";
 import { forgetRunProblems, useRun } from "../../session/run";
+import { endAll } from "../../ui/effects";
 import { later } from "../../ui/later";
 
 const KEYS = {
@@ -38,10 +39,7 @@ function showRunProblems(): () => void {
   const offMission = useStudio.subscribe((state, before) => {
     if (state.mission !== before.mission) forgetRunProblems();
   });
-  return () => {
-    offRun();
-    offMission();
-  };
+  return endAll(offRun, offMission);
 }
 
 const Open = later(() => import("./ProblemList").then((chunk) => chunk.ProblemList), complain);

@@ -5,13 +5,14 @@
  */
 import { useEffect, useRef, useState } from "react";
 
-import { ApiError } from "../../api/client";
 import { firmwareApi } from "../../api/firmware";
 import type { Drive, KitEntry } from "../../api/generated";
+import { type Failure, whyRefused } from "../../api/refusal";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { Icon } from "../../theme";
 import { Row } from "../../ui/Row";
+import { Select } from "../../ui/Select";
 import { useBoards } from "./boards";
 import { Act, TroubleBox } from "./parts";
 
@@ -51,22 +52,17 @@ export function FirmwareNeed({ kit, has, page }: NeedProps) {
   );
 }
 
-interface Told {
-  message: string;
-  help: string;
-}
-
 /** A board in its bootloader: which drive it shows, and the file that is copied there. */
 function Flashing() {
   const [drives, setDrives] = useState<readonly Drive[] | null>(null);
   const [page, setPage] = useState("");
-  const [wrong, setWrong] = useState<Told | null>(null);
+  const [wrong, setWrong] = useState<Failure | null>(null);
   const [done, setDone] = useState("");
   const [chosen, setChosen] = useState("");
   const [file, setFile] = useState<File | null>(null);
   const [busy, setBusy] = useState(false);
 
-  const fail = (cause: unknown) => setWrong(cause instanceof ApiError ? cause : { message: String(cause), help: "" });
+  const fail = (cause: unknown) => setWrong(whyRefused(cause));
   const look = () => {
     firmwareApi.look().then((found) => {
       setWrong(null);
@@ -113,19 +109,17 @@ function Flashing() {
       ) : (
         <>
           <Row label={t("firmware.drive")} className="robot-program muted">
-            <select
-              className="field"
-              data-testid="firmware-drive"
+            <Select
+              label={t("firmware.drive")}
+              testId="firmware-drive"
               disabled={busy}
               value={drive?.folder ?? ""}
-              onChange={(event) => setChosen(event.target.value)}
-            >
-              {drives.map(({ folder, board, chip }) => (
-                <option key={folder} value={folder}>
-                  {[board || folder, chip].filter((word) => word !== "").join(" · ")}
-                </option>
-              ))}
-            </select>
+              options={drives.map(({ folder, board, chip }) => [
+                folder,
+                [board || folder, chip].filter((word) => word !== "").join(" · "),
+              ])}
+              keep={setChosen}
+            />
           </Row>
           <Row label={t("firmware.file")} className="robot-program muted">
             <input

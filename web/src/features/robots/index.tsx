@@ -8,7 +8,7 @@ import { keyFor, type PageKey } from "../../session/key-table";
 import type { MenuEntries } from "../../session/menu-table";
 import { Icon } from "../../theme";
 import { later } from "../../ui/later";
-import { menuItem } from "../../ui/menu-model";
+import { menuCheck, menuItem } from "../../ui/menu-model";
 import { showRobots, useRobotsPanel } from "./state";
 
 const Robots = later(
@@ -59,14 +59,7 @@ function useMenu(): MenuEntries {
   const { open, running } = useRobotsPanel();
   return {
     "robots-panel": [
-      {
-        kind: "check",
-        id: "robots-panel",
-        label: t("boards.panel"),
-        keys: keyFor.page(KEYS.robots),
-        checked: open,
-        run: () => showRobots(!open),
-      },
+      menuCheck("robots-panel", t("boards.panel"), open, () => showRobots(!open), keyFor.page(KEYS.robots)),
     ],
     robots: [
       menuItem("robots-run", t("boards.run"), keyFor.page(KEYS.runOnRobot), runOnRobots),

@@ -1,8 +1,9 @@
 import { describe, expect, it, vi } from "vitest";
 
 import { talk, talkThrough } from "../../api/line";
+import { joinBytes } from "../../model/bytes";
 import { useBoards } from "./boards";
-import { findBoard, joined, Pipe, type Port, reachOf, useSerial } from "./serial";
+import { findBoard, Pipe, type Port, reachOf, useSerial } from "./serial";
 
 describe("whether a page reaches boards", () => {
   it("says what is in the way", () => {
@@ -15,8 +16,8 @@ describe("whether a page reaches boards", () => {
 describe("pieces of a board", () => {
   it("are one message in their order", () => {
     const pieces = [[1], [], [2, 3]].map((piece) => new Uint8Array(piece));
-    expect([...joined(pieces)]).toEqual([1, 2, 3]);
-    expect([...joined([])]).toEqual([]);
+    expect([...joinBytes(pieces)]).toEqual([1, 2, 3]);
+    expect([...joinBytes([])]).toEqual([]);
   });
 });
 

@@ -15,7 +15,7 @@ import { saveRun, useOpenRecording } from "../../session/recordings";
 import { can, isLive, isOurs, type RunState, useActiveVertices, useRun, watchedAgent } from "../../session/run";
 import { useShown } from "../../session/simple-view";
 import { later } from "../../ui/later";
-import { menuItem } from "../../ui/menu-model";
+import { menuItem, menuRadio } from "../../ui/menu-model";
 import { EventStrip } from "./EventStrip";
 import { KEYS } from "./keys";
 import type { Thread } from "./RunningRow";
@@ -71,8 +71,8 @@ function useMenu(): MenuEntries {
       { kind: "heading", id: "run-speed", label: t("run.speed") },
       menuItem("run-slower", t("run.slower"), key(KEYS.slower), () => changeSpeed(-1)),
       menuItem("run-faster", t("run.faster"), key(KEYS.faster), () => changeSpeed(1)),
-      { kind: "radio", id: "run-real-time", label: t("run.real-time"), checked: speed === 1, run: () => setSpeed(1) },
-      { kind: "radio", id: "run-as-fast", label: t("run.as-fast"), checked: speed === 0, run: () => setSpeed(0) },
+      menuRadio("run-real-time", t("run.real-time"), speed === 1, () => setSpeed(1)),
+      menuRadio("run-as-fast", t("run.as-fast"), speed === 0, () => setSpeed(0)),
     ],
   };
 }

@@ -14,6 +14,7 @@ import {
   removeAgent,
   renameAgent,
 } from "../../model/commands/changeAgents";
+import { freeName } from "../../model/free-name";
 import { startOf } from "../../model/starts";
 import { execute, useStudio } from "../../model/studio";
 import { TEAM_ROBOT } from "../../model/team-robot";
@@ -245,8 +246,5 @@ function withoutStart(mission: Mission, world: World | null): number[] {
 /** A free name like the given one: `carrier-1` gives `carrier-2`. */
 function nameLike(name: string, taken: readonly string[]): string {
   const stem = name.replace(/[-\s]?\d+$/, "");
-  for (let number = 1; ; number++) {
-    const next = `${stem === "" ? "robot" : stem}-${String(number)}`;
-    if (!taken.includes(next)) return next;
-  }
+  return freeName(stem === "" ? "robot" : stem, taken);
 }

@@ -14,6 +14,7 @@ import { foreseeWorld, useFiles } from "../../session/world-files";
 import { openWorld } from "../../session/world-view";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
+import { awaitAnswer } from "../../ui/effects";
 import { later } from "../../ui/later";
 
 const WorldPicture = later(() => import("../../components/WorldPicture").then((chunk) => chunk.WorldPicture), complain);
@@ -22,20 +23,7 @@ function useWorlds(): WorldEntry[] {
   const path = useStudio((studio) => studio.file.path);
   const read = useFiles((files) => files.read);
   const [worlds, setWorlds] = useState<WorldEntry[]>([]);
-  useEffect(() => {
-    let there = true;
-    partsApi.worlds(path).then(
-      (found) => {
-        if (there) setWorlds(found);
-      },
-      (cause: unknown) => {
-        if (there) complain(cause);
-      },
-    );
-    return () => {
-      there = false;
-    };
-  }, [path, read]);
+  useEffect(() => awaitAnswer(partsApi.worlds(path), setWorlds, complain), [path, read]);
   return worlds;
 }
 

@@ -4,7 +4,7 @@
  * An agent without a start of its own starts at the place of its name; whoever renames it leaves it where it is.
  */
 import { t } from "../../i18n/words";
-import { becomes, type Command } from "../command";
+import { becomes, type Command, withOptional } from "../command";
 import { startOf } from "../starts";
 import { TEAM_ROBOT } from "../team-robot";
 import type { Agent, Catalogue, Mission } from "../types";
@@ -12,7 +12,7 @@ import { kindOf } from "./castAgents";
 import { declaredNames, groupsOf, rolesOf, withMember } from "./changeDeclared";
 
 function withAgents(label: string, before: Mission, agents: Agent[], trial: Partial<Mission> = {}): Command {
-  return becomes(label, without({ ...before, agents, ...trial }, ["breakpoints", "failures"]));
+  return becomes(label, withOptional({ ...before, agents }, trial));
 }
 
 function has(mission: Mission, name: string): boolean {
@@ -41,12 +41,6 @@ function trialWith(mission: Mission, name: string, to: string | null): Partial<M
     ...(breakpoints === undefined ? {} : { breakpoints }),
     ...(failures === undefined ? {} : { failures }),
   };
-}
-
-function without(mission: Mission, parts: readonly ("breakpoints" | "failures")[]): Mission {
-  const rest = { ...mission };
-  for (const part of parts) if (rest[part]?.length === 0) delete rest[part];
-  return rest;
 }
 
 /** A new agent at the end; null when the name is taken or empty. */

@@ -3,7 +3,7 @@
  * follows in every program.
  */
 import { t } from "../../i18n/words";
-import { becomes, type Command } from "../command";
+import { becomes, type Command, withOptional } from "../command";
 import { ownConstructors, ownVariables } from "../own";
 import type { Constructor, Mission, OwnVariable, Program } from "../types";
 
@@ -13,12 +13,7 @@ export function withOwn(
   constructors: readonly Constructor[],
   variables: readonly OwnVariable[],
 ): Mission {
-  const { constructors: _, variables: __, ...rest } = mission;
-  return {
-    ...rest,
-    ...(constructors.length === 0 ? {} : { constructors: [...constructors] }),
-    ...(variables.length === 0 ? {} : { variables: [...variables] }),
-  };
+  return withOptional(mission, { constructors: [...constructors], variables: [...variables] });
 }
 
 function renamed(program: Program, rename: (element: string) => string): Program {

@@ -8,14 +8,15 @@ import { type Brush, robotUnit, write } from "../../../components/scene/draw-wor
 import { ROBOT_MM } from "../../../components/scene/geometry";
 import { LIDS } from "../../../components/scene/lids";
 import type { Layers } from "../../../components/scene/painter";
-import type { Scene, Seen } from "../../../components/scene/scene";
 import { PEN_COLOURS, type PenStroke, strokesOfRun } from "../../../components/scene/pen-strokes";
+import type { Scene, Seen } from "../../../components/scene/scene";
 import type { Area } from "../../../components/scene/tag-place";
 import { decimal } from "../../../i18n/numbers";
 import { useStudio } from "../../../model/studio";
 import { openLesson, useLessons } from "../../../session/lessons";
 import { isLive, type RunState, useRun } from "../../../session/run";
 import { fontOf, token, useTheme } from "../../../theme";
+import { endAll } from "../../../ui/effects";
 import type { Facts } from "./account";
 import { awaitedAt } from "./awaited";
 import { Confetti, reachedGoal } from "./confetti";
@@ -128,10 +129,7 @@ export class StageLayers implements Layers {
       const [lesson, was] = [openLesson(now), openLesson(before)];
       if (lesson?.done === true && was?.name === lesson.name && !was.done) this.confetti.begin();
     });
-    return () => {
-      offRun();
-      offLessons();
-    };
+    return endAll(offRun, offLessons);
   }
 
   private stands(seen: Seen, count: number): boolean {

@@ -1,15 +1,13 @@
 /** The head of the teacher's page: its menus, and what is done with all pupils, or with those that the filter shows. */
 import { classApi, type Gradebook, GRADEBOOKS } from "../../../api/class";
-import { useLanguage } from "../../../i18n/language";
-import { type Language, languageInUse, LANGUAGES, t } from "../../../i18n/words";
-import { Icon, type ThemeChoice, useTheme } from "../../../theme";
+import { t } from "../../../i18n/words";
+import { Icon, useTheme } from "../../../theme";
 import { download } from "../../../ui/download";
+import { languageEntries, themeEntries } from "../../../ui/look-entries";
 import { type MenuEntry, menuItem } from "../../../ui/menu-model";
 import { MenuButton } from "../../../ui/MenuButton";
 import type { SheetName } from "./Sheets";
 import { act, freeze, say, useDesk } from "./store";
-
-const THEMES: readonly ThemeChoice[] = ["light", "dark", "contrast", "system"];
 
 const MORE_PLACES = 50;
 /** As many as a class can be told to take. */
@@ -26,8 +24,7 @@ interface HeadProps {
 function useEntries(open: (sheet: SheetName) => void): { menus: [string, string, MenuEntry[]][] } {
   const { news, seen } = useDesk();
   const anyFrozen = [...seen.values()].some(({ pupil }) => pupil.frozen);
-  const { choice, choose } = useTheme();
-  const { choose: speak } = useLanguage.getState();
+  const choice = useTheme((theme) => theme.choice);
   const coded = news?.code !== "";
   const places = Math.min((news?.places ?? 0) + MORE_PLACES, MOST_PLACES);
   const full = news === null || news.places >= MOST_PLACES;
@@ -44,24 +41,7 @@ function useEntries(open: (sheet: SheetName) => void): { menus: [string, string,
     ),
     menuItem("class-log", t("teacher.log"), null, () => open("log")),
   ];
-  const spoken = Object.keys(LANGUAGES) as Language[];
-  const view: MenuEntry[] = [
-    ...spoken.map((language): MenuEntry => ({
-      kind: "radio",
-      id: `view-${language}`,
-      label: LANGUAGES[language].name,
-      checked: language === languageInUse(),
-      run: () => void speak(language),
-    })),
-    { kind: "line", id: "view-line" },
-    ...THEMES.map((theme): MenuEntry => ({
-      kind: "radio",
-      id: `view-${theme}`,
-      label: t(`view.${theme}`),
-      checked: theme === choice,
-      run: () => choose(theme),
-    })),
-  ];
+  const view: MenuEntry[] = [...languageEntries(), { kind: "line", id: "view-line" }, ...themeEntries(choice)];
   return {
     menus: [
       ["teacher-class", t("teacher.menu-class"), ofClass],

@@ -1,0 +1,38 @@
+/** What effects do again and again: each function returns the cleanup of its effect. */
+
+/** Ends several things that go on, as one. */
+export function endAll(...ends: readonly (() => void)[]): () => void {
+  return () => ends.forEach((end) => end());
+}
+
+/** Calls back with what comes of a request, unless it is ended before; who is told no failure lets it pass. */
+export function awaitAnswer<T>(
+  answer: Promise<T>,
+  take: (value: T) => void,
+  fail: (cause: unknown) => void = () => undefined,
+): () => void {
+  let over = false;
+  answer.then(
+    (value) => {
+      if (!over) take(value);
+    },
+    (cause: unknown) => {
+      if (!over) fail(cause);
+    },
+  );
+  return () => {
+    over = true;
+  };
+}
+
+/** Begins after a pause; what is begun may return its own end. */
+export function afterPause(pause_ms: number, begin: () => (() => void) | void): () => void {
+  let end: (() => void) | void;
+  const timer = setTimeout(() => {
+    end = begin();
+  }, pause_ms);
+  return () => {
+    clearTimeout(timer);
+    end?.();
+  };
+}
