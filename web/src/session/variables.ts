@@ -160,17 +160,3 @@ export function takeAway(of: Named): void {
     ],
   });
 }
-
-/** What a key means on a variable's row of the palette; false when it means nothing there. */
-export function variableKey(
-  event: { key: string; shiftKey: boolean },
-  of: Named,
-  at: () => DOMRect | undefined,
-): boolean {
-  const box = event.key === "ContextMenu" || (event.key === "F10" && event.shiftKey) ? at() : undefined;
-  if (event.key === "F2") renameVariable(of);
-  else if (event.key === "Delete" || event.key === "Backspace") takeAway(of);
-  else if (box !== undefined) set({ menu: { ...of, x: box.left + 24, y: box.bottom } });
-  else return false;
-  return true;
-}

@@ -8,19 +8,18 @@ import { t } from "../../i18n/words";
 import { elsewhere } from "../../model/part-search";
 import { partsOf } from "../../model/parts";
 import { programInView, useStudio } from "../../model/studio";
-import { isOwn } from "../../session/custom-blocks";
 import { complain } from "../../session/document";
 import { setBin, useDrag } from "../../session/drag";
 import { addPart } from "../../session/edits";
 import { useKit } from "../../session/kit";
 import { useReveal } from "../../session/reveal";
-import { newVariable, useVariables, variableKey } from "../../session/variables";
+import { newVariable, useVariables } from "../../session/variables";
 import { Icon } from "../../theme";
 import { later } from "../../ui/later";
-import { ownKey } from "./custom-row";
 import { PaletteRow } from "./PaletteRow";
 import { PaletteTabs, sectionId } from "./PaletteTabs";
 import { RobotButton } from "./RobotButton";
+import { actionsOf, rowKey } from "./row-actions";
 import { partsOfKit, type Row, rowOfPart, tabsOf } from "./tree";
 import { VariableMenu } from "./VariableMenu";
 
@@ -82,6 +81,7 @@ export function Palette() {
     const row = items[index];
     if (row === undefined) return;
     const tab = tabs.findIndex(({ rows }) => rows.includes(row));
+    const actions = actionsOf(row, robot);
     const [onwards, backwards] = mirrored() ? ["ArrowLeft", "ArrowRight"] : ["ArrowRight", "ArrowLeft"];
     if (event.key === "ArrowDown") go(items[index + 1]);
     else if (event.key === "ArrowUp") go(items[index - 1]);
@@ -90,13 +90,7 @@ export function Palette() {
     else if (event.key === onwards) go(tabs[tab + 1]?.rows[0]);
     else if (event.key === backwards) go(tabs[tab - 1]?.rows[0]);
     else if (event.key === "/") find.current?.focus();
-    else if (
-      row.kind === "object" &&
-      row.object.category === "variable" &&
-      variableKey(event, { robot, name: row.object.name }, () => document.activeElement?.getBoundingClientRect())
-    )
-      event.stopPropagation();
-    else if (row.kind === "part" && isOwn(row.shape) && ownKey(event, row.shape.element)) event.stopPropagation();
+    else if (actions !== null && rowKey(event, actions)) event.stopPropagation();
     else if (event.key === "Enter" || event.key === " ") {
       if (row.kind === "new") newVariable();
       else if (row.kind === "part") addPart(row.shape.element);

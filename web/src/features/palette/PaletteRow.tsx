@@ -1,19 +1,17 @@
 /** A row of the palette: a part, the robot's object above its parts, or the way to a new variable. */
-import type { MouseEvent, PointerEvent } from "react";
-
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { RobotObject } from "../../model/types";
 import { valueWords } from "../../model/words";
-import { isOwn, openPartMenu } from "../../session/custom-blocks";
+import { openPartMenu } from "../../session/custom-blocks";
 import { beginDrag, justDragged } from "../../session/drag";
 import { addPart } from "../../session/edits";
 import { useRun, watchedAgent } from "../../session/run";
-import { type Named, newVariable, openVariableMenu, renameVariable, useVariables } from "../../session/variables";
+import { newVariable, renameVariable, useVariables } from "../../session/variables";
 import { Icon, Tile } from "../../theme";
 import { whenFingerRests } from "../../ui/rest";
-import { ownHandlers, restOnOwn } from "./custom-row";
+import { actionsOf, removableProps } from "./row-actions";
 import type { Row } from "./tree";
 import { VariableName } from "./VariableName";
 
@@ -51,6 +49,7 @@ export function PaletteRow({ row, robot, focused, onFocus, onNamed }: RowProps) 
   }
   if (row.kind === "object") return <ObjectRow {...{ row, robot, common, onNamed }} />;
   const { shape } = row;
+  const actions = actionsOf(row, robot);
   const icon = shape.method === null ? shape.icon : shape.method.icon || shape.icon;
   return (
     <div
@@ -58,10 +57,10 @@ export function PaletteRow({ row, robot, focused, onFocus, onNamed }: RowProps) 
       className="palette-part row"
       data-testid={`part-${shape.element}`}
       title={text(shape.help)}
-      {...(isOwn(shape) ? { ...ownHandlers(shape.element), "data-removable": true } : {})}
+      {...(actions === null ? {} : removableProps(actions))}
       onPointerDown={(event) => {
         beginDrag(event, { kind: "part", element: shape.element });
-        if (isOwn(shape)) restOnOwn(event, shape.element);
+        if (actions !== null) whenFingerRests(event, actions.openMenu);
       }}
       onClick={() => {
         if (!justDragged()) addPart(shape.element);
@@ -70,7 +69,7 @@ export function PaletteRow({ row, robot, focused, onFocus, onNamed }: RowProps) 
       <Tile icon={icon} colour={shape.colour} size={22} />
       <span className="palette-name">{row.label}</span>
       {row.aside === "" ? null : <span className="palette-aside ellipsis muted">{row.aside}</span>}
-      {isOwn(shape) ? <CustomBlockMore name={shape.element} /> : null}
+      {actions === null ? null : <CustomBlockMore name={shape.element} />}
     </div>
   );
 }
@@ -86,10 +85,13 @@ function ObjectRow({ row, robot, common, onNamed }: ObjectProps) {
   const renaming = useVariables((state) => state.renaming);
   const { object } = row;
   const variable = object.category === "variable" ? { robot, name: object.name } : null;
+  const actions = actionsOf(row, robot);
   return (
     <div
       {...common}
-      {...(variable === null ? {} : { ...variableHandlers(variable), "data-removable": true })}
+      {...(actions === null ? {} : removableProps(actions))}
+      {...(variable === null ? {} : { onDoubleClick: () => renameVariable(variable) })}
+      onPointerDown={(event) => actions !== null && whenFingerRests(event, actions.openMenu)}
       className="palette-object row"
       data-testid={`object-${object.name}`}
     >
@@ -142,19 +144,4 @@ function CustomBlockMore({ name }: { name: string }) {
       <Icon name="ellipsis" size={16} />
     </button>
   );
-}
-
-/** Handlers for the row. */
-function variableHandlers(of: Named) {
-  const open = (x: number, y: number) => openVariableMenu({ ...of, x, y });
-  return {
-    // The graph leaves Delete to it.
-    "data-removable": true,
-    onDoubleClick: () => renameVariable(of),
-    onContextMenu: (event: MouseEvent) => {
-      event.preventDefault();
-      open(event.clientX, event.clientY);
-    },
-    onPointerDown: (event: PointerEvent) => whenFingerRests(event, open),
-  };
 }

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { NOTHING, placeFor, readMemory } from "./kept";
+import { NOTHING, placeFor, readMemory } from "./hand-in-memory";
 
 test("a mission that is begun anew is handed in beside what has its name; another one goes on where it was", () => {
   const memory = { ...NOTHING, places: { square: { name: "square 2.krt", revision: "r" } } };

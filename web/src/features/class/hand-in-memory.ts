@@ -1,4 +1,5 @@
 /** What a pupil's page remembers of what it handed in: under which name and revision the class keeps each mission. */
+import { pupilName } from "../../api/token";
 import { parseStored } from "../../ui/stored";
 
 export interface Place {
@@ -79,3 +80,6 @@ export function placeFor(memory: Memory, shown: string, fresh: boolean): Place {
   const known = memory.places[shown];
   return fresh || known === undefined ? { name: shown, revision: "" } : known;
 }
+
+/** Where it is stored in this browser: of another pupil at this computer nothing is used. */
+export const storageName = () => `kitrobot.class.kept.${pupilName()}`;

@@ -6,36 +6,27 @@
  */
 import { create } from "zustand";
 
-import { type ClassSocket, classApi, openClassSocket } from "../../api/class";
+import { classApi, type ClassSocket, openClassSocket } from "../../api/class";
 import { api, ApiError } from "../../api/client";
-import { exerciseApi } from "../../api/exercises";
 import type { HandMessage, PupilNewsMessage, ReportMessage, ShowArenaMessage, TurnMessage } from "../../api/generated";
-import { inPage } from "../../api/line";
-import { pupilName, takeToken } from "../../api/token";
-import { useStudio } from "../../model/studio";
+import { takeToken } from "../../api/token";
 import { t } from "../../i18n/words";
-import { text } from "../../model/texts";
+import { useStudio } from "../../model/studio";
 import type { Mission } from "../../model/types";
 import { complain, shownName, whenReady } from "../../session/document";
-import { remember as rememberExercise, setComments, useOpenExercise } from "../../session/open-exercise";
-import { beginMission, openPath } from "../../session/open-requests";
+import { setComments, useOpenExercise } from "../../session/open-exercise";
+import { beginMission } from "../../session/open-requests";
 import { useRun } from "../../session/run";
-import { tellArena } from "./arena";
-import { type Memory, type Place, placeFor, readMemory } from "./kept";
-import { forgetKept, leaveFiles } from "./left";
 import { readStored, writeStored } from "../../ui/stored";
+import { tellArena } from "./arena";
+import { type Memory, type Place, placeFor, readMemory, storageName } from "./hand-in-memory";
+import { forgetKept, leaveFiles } from "./left";
+import { exerciseOffer, offer, openHanded, openOrOffer } from "./pupil-offers";
 
 const QUIET_MS = 1200;
 const LONGEST_MS = 5000;
 const AGAIN_MS = 4000;
 const REPORT_MS = 700;
-const KEY = "kitrobot.class.kept";
-
-export interface Offer {
-  kind: "handed" | "exercise" | "note" | "comment";
-  words: string;
-  open: (() => void) | null;
-}
 
 interface Classroom {
   news: PupilNewsMessage | null;
@@ -43,7 +34,6 @@ interface Classroom {
   /** Whether everything here is in the teacher's folder. */
   kept: "yes" | "waits" | "here" | "refused";
   problem: string;
-  offers: readonly Offer[];
   /** The hand as it was put here, until the class says so too; null when nothing is on its way. */
   hand: boolean | null;
   /** What tells the class; what it has still to hand in outlives the page of one language. */
@@ -55,7 +45,6 @@ export const useClassroom = create<Classroom>(() => ({
   connected: true,
   kept: "yes",
   problem: "",
-  offers: [],
   hand: null,
   sync: null,
 }));
@@ -63,48 +52,6 @@ export const useClassroom = create<Classroom>(() => ({
 const set = useClassroom.setState;
 
 type Said = ReportMessage | HandMessage | TurnMessage | ShowArenaMessage;
-
-function storageName(): string {
-  // Of another pupil at this computer nothing is used.
-  return `${KEY}.${pupilName()}`;
-}
-
-// -- what the teacher wants
-
-function offer(one: Offer): void {
-  set(({ offers }) => ({ offers: [...offers.filter(({ kind }) => kind !== one.kind), one] }));
-}
-
-export function done(one: Offer): void {
-  set(({ offers }) => ({ offers: offers.filter((other) => other !== one) }));
-}
-
-/** Opens it where nothing is unsaved, else offers it. */
-function openOrOffer(one: Offer): void {
-  if (one.open !== null && !useStudio.getState().dirty) one.open();
-  else offer(one);
-}
-
-function openHanded(name: string): void {
-  beginMission(async () => api.readMission(`${name}.krt`, (await classApi.handed()).bytes), name);
-}
-
-async function exerciseOffer(name: string): Promise<Offer | null> {
-  if (inPage()) await fetchExercise(name);
-  const found = (await exerciseApi.all()).find((one) => one.name === name);
-  if (found === undefined || found.goals.length === 0) return null;
-  const open = () => {
-    rememberExercise({ name, path: found.start });
-    if (useStudio.getState().file.path !== found.start) openPath(found.start);
-  };
-  return { kind: "exercise", words: text(found.label, name), open };
-}
-
-/** Gives the files of the exercise, where they are the teacher's own, to the studio in this page. */
-async function fetchExercise(name: string): Promise<void> {
-  const files = await classApi.exercise();
-  if (files.byteLength > 0) await exerciseApi.keep(name, files);
-}
 
 /** Whether the class still knows this pupil; else the page is the one for joining again. */
 async function expectIn(): Promise<void> {
