@@ -6,10 +6,10 @@
  */
 import { languageInUse, t } from "../i18n/words";
 import type { Arc, Fragment, Mission, MissionFile, Problem, Report, SpanEntry, Vertex } from "../model/types";
-import { meetAgain } from "./again";
 import type * as server from "./generated";
-import { talk } from "./line";
+import { renewToken } from "./reconnect";
 import { token } from "./token";
+import { transport } from "./transport";
 
 /** What became of a typed text: its program, or null and why not; places count in the text that was sent. */
 export interface Followed extends server.Followed {
@@ -89,7 +89,7 @@ async function answer(address: string, asked: Asked): Promise<Response> {
   if (response.ok) return response;
   const told = refusal(response, unknownToken);
   if (response.status !== REFUSED) throw await told;
-  await meetAgain();
+  await renewToken();
   // Another request may have got the new token meanwhile.
   if (token() === mine) throw await told;
   const again = await request(address, asked);
@@ -103,7 +103,7 @@ const offline = () => new ApiError(t("error.offline"), t("error.offline-help"));
 export async function request(
   address: string,
   { method = "GET", json, bytes, signal }: Asked,
-  through: (address: string, asked: RequestInit) => Promise<Response> = talk().fetch,
+  through: (address: string, asked: RequestInit) => Promise<Response> = transport().fetch,
   unreached = offline,
 ): Promise<Response> {
   const headers: Record<string, string> = { "Accept-Language": languageInUse() };

@@ -8,7 +8,7 @@ import { Said } from "../i18n/Said";
 import { t } from "../i18n/words";
 import { useStudio } from "../model/studio";
 import type { Mission } from "../model/types";
-import { closeOverlay, complain, dismissBanner, question, show } from "../session/document";
+import { closeOverlay, dismissBanner, question, reportError, show } from "../session/document";
 import { commonBase, keepMerge, revisionMerged } from "../session/merges";
 import { type PartDifference, partDifference } from "../session/saving";
 import { Button } from "../ui/Button";
@@ -101,7 +101,7 @@ function MissionDifference() {
       if (number !== last.current) return;
       if (first && merged.conflicts.length === 0) apply(merged, asked);
       else setMerging({ asked, merged, waits: false });
-    }, complain);
+    }, reportError);
   };
 
   if (merging !== null) {

@@ -16,9 +16,9 @@ import { execute, useStudio } from "../model/studio";
 import { TEAM_ROBOT } from "../model/team-robot";
 import { typedName } from "../model/typed-name";
 import { removeProgramNamed } from "../session/actions";
-import { complain } from "../session/document";
+import { useHasCounterexample } from "../session/counterexample";
+import { reportError } from "../session/document";
 import type { FeatureTab } from "../session/features";
-import { useIsGuilty } from "../session/guilty";
 import { isLive, type RunState, useRun, watchedAgent } from "../session/run";
 import { useShownNames } from "../session/simple-view";
 import { closeTeam, useTeam } from "../session/team-view";
@@ -32,7 +32,7 @@ import { renameInTab, useRenaming } from "./renaming";
 
 const TABS = FEATURES.flatMap(({ tab }) => tab ?? []);
 
-const ProgramList = later(() => import("./ProgramList").then((chunk) => chunk.ProgramList), complain);
+const ProgramList = later(() => import("./ProgramList").then((chunk) => chunk.ProgramList), reportError);
 
 /** Lies over its tab: a list of tabs holds nothing but tabs. */
 function NameField({ name }: { name: string }) {
@@ -115,7 +115,7 @@ function Tab({ name, onKey }: TabProps & { name: string }) {
     studio.report?.problems.some((one) => one.program === name && one.severity === "error"),
   );
   const state = useRun((run) => stateShown(run, name));
-  const guilty = useIsGuilty(name);
+  const guilty = useHasCounterexample(name);
   return (
     <button
       type="button"

@@ -3,7 +3,7 @@ import { api } from "../api/client";
 import { t } from "../i18n/words";
 import { type StudioState, useStudio } from "../model/studio";
 import { goToProgram, moveActiveProgram, removeProgramNamed } from "../session/actions";
-import { complain, fileName, show } from "../session/document";
+import { fileName, reportError, show } from "../session/document";
 import type { Feature } from "../session/features";
 import { keyFor } from "../session/key-table";
 import { type Panel, useLayout } from "../session/layout";
@@ -138,7 +138,7 @@ const inSheets = <Name extends keyof typeof sheetsModule>(name: Name, typing = f
     () => import("./Sheets").then((chunk) => chunk[name]),
     (cause) => {
       show(null);
-      complain(cause);
+      reportError(cause);
     },
     { typing },
   );
@@ -173,7 +173,7 @@ async function downloadMission(): Promise<void> {
     const { text } = await api.missionText(useStudio.getState().mission);
     download(fileName(), text, "application/xml");
   } catch (cause) {
-    complain(cause);
+    reportError(cause);
   }
 }
 

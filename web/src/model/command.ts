@@ -20,7 +20,7 @@ export interface Command {
 }
 
 /** The command that leads to `after`. */
-export function becomes(label: string, after: Mission, more: Pick<Command, "selects" | "joins"> = {}): Command {
+export function commandTo(label: string, after: Mission, more: Pick<Command, "selects" | "joins"> = {}): Command {
   return { label, execute: () => after, ...more };
 }
 

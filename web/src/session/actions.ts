@@ -1,6 +1,6 @@
 /** Actions on the run and on programs, shared by menus, toolbar and keys. */
 import { t } from "../i18n/words";
-import { becomes, type Command } from "../model/command";
+import { type Command, commandTo } from "../model/command";
 import { addProgram, moveProgram, removeProgram } from "../model/commands/changePrograms";
 import { freeName } from "../model/free-name";
 import { execute, useStudio } from "../model/studio";
@@ -64,7 +64,7 @@ export function programWithAgent(
   if (inner === null || start === null) return inner === null ? null : { command: inner, name };
   const agent = { name: start, program: name, start: "" };
   const after = inner.execute(mission);
-  return { command: becomes(inner.label, { ...after, agents: [...after.agents, agent] }), name };
+  return { command: commandTo(inner.label, { ...after, agents: [...after.agents, agent] }), name };
 }
 
 export function addProgramFor(robot: string): void {

@@ -11,7 +11,7 @@ import { findSpot, inChain } from "../model/tree";
 import type { Breakpoint } from "../model/types";
 import { endAll } from "../ui/effects";
 import { currentDrawing, type Drawing, nodeOf } from "./drawing";
-import { isThere, useRun } from "./run";
+import { isQueryable, useRun } from "./run";
 
 /** The vertex whose instruction holds that one: a condition's is what waits for it. Null for start and stop. */
 export function instructionOf(drawing: Drawing, id: string): string | null {
@@ -50,7 +50,7 @@ export function followBreakpoints(reveal: (program: string, vertices: string[]) 
     useStudio.subscribe(({ mission }, before) => {
       const [now, then] = [mission.breakpoints ?? NONE, before.mission.breakpoints ?? NONE];
       const run = useRun.getState();
-      if (now !== then && (run.status === "connecting" || isThere(run))) run.pauseAt(now);
+      if (now !== then && (run.status === "connecting" || isQueryable(run))) run.pauseAt(now);
     }),
     useRun.subscribe(({ hits, selectAgent }, before) => {
       const [hit] = hits;

@@ -132,7 +132,7 @@ function placed({ line, message }: Problem): string {
 }
 
 /** Says that something failed, with a way to try again where there is one. */
-export function complain(cause: unknown, again?: () => void): void {
+export function reportError(cause: unknown, again?: () => void): void {
   const { message, help: way, problems } = whyRefused(cause);
   const help = [...problems.slice(0, 1).map(placed), way].join(" ").trim();
   const actions = again === undefined ? [] : [{ label: t("banner.retry"), run: again }];
@@ -152,7 +152,7 @@ export function question(message: string, choices: [Key, () => void][], kind: Ba
 }
 
 /** Asks before something goes on that the user has just begun: the first answer has the focus, and Escape is none. */
-export function ask(message: string, choices: [Key, () => void][], help = "") {
+export function focusQuestion(message: string, choices: [Key, () => void][], help = "") {
   question(message, choices, "question", help);
   set(({ banner }) => ({ banner: banner && { ...banner, takesFocus: true } }));
 }

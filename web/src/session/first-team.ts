@@ -1,13 +1,13 @@
 /** Starts programs of a team: the first one of the whole team, which the server makes of what the robots do now. */
 import { ask } from "../api/client";
 import { moreWords, t } from "../i18n/words";
-import { becomes } from "../model/command";
+import { commandTo } from "../model/command";
 import { addProgram } from "../model/commands/changePrograms";
 import { firstFree } from "../model/free-name";
 import { execute, useStudio } from "../model/studio";
 import { TEAM_ROBOT } from "../model/team-robot";
 import type { Mission } from "../model/types";
-import { complain } from "./document";
+import { reportError } from "./document";
 import { closeTeam, showSide } from "./team-view";
 
 /** Makes the program of the whole team and opens it; the robots run it from now on. */
@@ -20,13 +20,13 @@ export async function startTeam(): Promise<void> {
     const { mission: now, setActiveProgram } = useStudio.getState();
     // What was edited meanwhile is worth more than an answer about what was there before.
     if (now !== mission) return;
-    execute(becomes(t("command.first-team"), { ...mission, ...after }));
+    execute(commandTo(t("command.first-team"), { ...mission, ...after }));
     const made = after.programs.find((one) => mission.programs.every(({ name }) => name !== one.name));
     if (made !== undefined) setActiveProgram(made.name);
     closeTeam();
     showSide("team");
   } catch (cause) {
-    complain(cause, () => void startTeam());
+    reportError(cause, () => void startTeam());
   }
 }
 

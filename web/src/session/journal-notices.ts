@@ -7,7 +7,7 @@ import { isCutOff, isKept, useLink } from "./journal";
 import { save } from "./saving";
 
 /** Says that changes are in no journal at the moment: what is not saved would be lost with the page. */
-export function complainOfJournal(cause: unknown, again: () => void): void {
+export function reportJournalFault(cause: unknown, again: () => void): void {
   const why = cause instanceof ApiError ? [failureWords(cause)] : [];
   const choices: [Key, () => void][] = [
     ["banner.save", () => void save()],

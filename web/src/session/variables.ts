@@ -14,7 +14,7 @@ import { ownVariables } from "../model/own";
 import { execute, programInView, useStudio } from "../model/studio";
 import type { RobotObject } from "../model/types";
 import { reveal as revealVertices } from "./actions";
-import { complain, dismissBanner, note, putBanner } from "./document";
+import { dismissBanner, note, putBanner, reportError } from "./document";
 import { useLayout } from "./layout";
 import { openRoom } from "./narrow";
 import { reveal } from "./reveal";
@@ -97,7 +97,7 @@ async function tellWhere({ robot, name }: Named): Promise<void> {
   try {
     await partsApi.variable(file.path, ownVariables(mission), wantedLike(robot, found, name));
   } catch (cause) {
-    if (!(cause instanceof ApiError) || cause.status !== 422) return complain(cause);
+    if (!(cause instanceof ApiError) || cause.status !== 422) return reportError(cause);
     note(cause.message, cause.help);
   }
 }

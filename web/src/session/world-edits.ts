@@ -17,7 +17,7 @@ import { moved, startMoved } from "../model/world/moving";
 import { nameOf } from "../model/world/names";
 import { type Kind, partOf, type Thing } from "../model/world/thing";
 import { added, withDependents } from "../model/world/things";
-import { complain, dismissBanner, note } from "./document";
+import { dismissBanner, note, reportError } from "./document";
 import { choose, chosenIn, ownWorld, say, startWith, useWorld } from "./world-view";
 
 /** The mission's world becomes `world`, as one step. */
@@ -32,9 +32,9 @@ export async function worldAsPlan(): Promise<OwnWorld | null> {
   try {
     const { world, problems } = await partsApi.plan(file.path, mission.world);
     if (world !== null) return world;
-    complain(new Error(problems[0]?.message ?? t("world.no-file", { name: mission.world })));
+    reportError(new Error(problems[0]?.message ?? t("world.no-file", { name: mission.world })));
   } catch (cause) {
-    complain(cause);
+    reportError(cause);
   }
   return null;
 }

@@ -5,7 +5,7 @@ import "./narrow.css";
 import "./low.css";
 
 import { t } from "../../i18n/words";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { keyFor, type PageKey } from "../../session/key-table";
 import type { MenuEntries } from "../../session/menu-table";
@@ -30,8 +30,8 @@ function useMenu(): MenuEntries {
   };
 }
 
-const Outline = later(() => import("./Outline").then((chunk) => chunk.Outline), complain);
-const PartHelp = later(() => import("./PartHelp").then((chunk) => chunk.PartHelp), complain);
+const Outline = later(() => import("./Outline").then((chunk) => chunk.Outline), reportError);
+const PartHelp = later(() => import("./PartHelp").then((chunk) => chunk.PartHelp), reportError);
 
 /** What makes the studio reachable for everyone, beside the page itself: announcements, the outline, help for a part. */
 function Panels() {

@@ -1,36 +1,37 @@
 /** The place where the robots are: before a run as the mission starts, during a run as it goes. */
+import "./arena.css";
+
 import { type KeyboardEvent, useEffect, useRef, useState } from "react";
 
-import { isEnded, useRun } from "../../session/run";
-import { keyFor, keyIn } from "../../session/key-table";
-import { watchFrames } from "../../session/poses";
-import { useShown } from "../../session/simple-view";
-import { toggleText, useStage } from "../../session/stage";
-import { Seed } from "./Seed";
-import { useTheme } from "../../theme";
-import { decimal } from "../../i18n/numbers";
-import { t } from "../../i18n/words";
-import "./arena.css";
-import { EmptyArena } from "./EmptyArena";
 import { CROWD } from "../../components/scene/crowd-size";
 import { Painter } from "../../components/scene/painter";
+import type { Scene } from "../../components/scene/scene";
+import { decimal } from "../../i18n/numbers";
+import { t } from "../../i18n/words";
+import { KIND_ICONS } from "../../model/world/names";
+import { reportError } from "../../session/document";
+import { keyFor, keyIn } from "../../session/key-table";
+import { watchFrames } from "../../session/poses";
+import { isEnded, useRun } from "../../session/run";
+import { useShown } from "../../session/simple-view";
+import { toggleText, useStage } from "../../session/stage";
+import { openWorldWith } from "../../session/world-view";
+import { useTheme } from "../../theme";
+import { later } from "../../ui/later";
+import { Tool } from "../../ui/Tool";
+import { EmptyArena } from "./EmptyArena";
 import { ARENA_KEYS, PAGE_KEYS } from "./keys";
 import { openShown, toggleStage, useStageParts } from "./parts";
 import { choose, follow, openRobotMenu, useRobots } from "./robots";
-import type { Scene } from "../../components/scene/scene";
-import { complain } from "../../session/document";
-import { later } from "../../ui/later";
+import { Seed } from "./Seed";
 import { useArenaPointer } from "./use-arena-pointer";
 import { useScene, useSelected, useSummary } from "./use-scene";
-import { KIND_ICONS } from "../../model/world/names";
-import { openWorldWith } from "../../session/world-view";
-import { Tool } from "../../ui/Tool";
 
-const RobotMenu = later(() => import("./RobotMenu").then((chunk) => chunk.RobotMenu), complain);
-const Crowd = later(() => import("./Crowd").then((chunk) => chunk.Crowd), complain);
-const Hands = later(() => import("./Hands").then((chunk) => chunk.Hands), complain);
+const RobotMenu = later(() => import("./RobotMenu").then((chunk) => chunk.RobotMenu), reportError);
+const Crowd = later(() => import("./Crowd").then((chunk) => chunk.Crowd), reportError);
+const Hands = later(() => import("./Hands").then((chunk) => chunk.Hands), reportError);
 
-const Placing = later(() => import("./Placing").then((chunk) => chunk.Placing), complain);
+const Placing = later(() => import("./Placing").then((chunk) => chunk.Placing), reportError);
 
 /** One press of an arrow key. */
 const PAN_PX = 40;

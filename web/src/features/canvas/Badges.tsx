@@ -9,17 +9,17 @@ import { title } from "../../model/parts";
 import { shortName } from "../../model/short-name";
 import { useStudio } from "../../model/studio";
 import { useBreakpoint } from "../../session/breakpoints";
-import { complain } from "../../session/document";
-import { useMarkAt } from "../../session/guilty";
+import { useMarkAt } from "../../session/counterexample";
+import { reportError } from "../../session/document";
 import { useRun } from "../../session/run";
 import { Icon } from "../../theme";
 import { later } from "../../ui/later";
 import { NoteStrip } from "./Notes";
 import { useTroubled, useTroubles } from "./problem-badges";
 
-const Meeting = later(() => import("./Meeting").then((chunk) => chunk.Meeting), complain);
+const Meeting = later(() => import("./Meeting").then((chunk) => chunk.Meeting), reportError);
 
-const GuiltyVertex = later(() => import("./GuiltyVertex").then((chunk) => chunk.GuiltyVertex), complain);
+const GuiltyVertex = later(() => import("./GuiltyVertex").then((chunk) => chunk.GuiltyVertex), reportError);
 
 /** Where members of the team wait for others, who is there and who is missing. */
 function MeetingAt({ vertex }: { vertex: string }) {

@@ -13,7 +13,7 @@ import { createPortal } from "react-dom";
 import { t } from "../../i18n/words";
 import { title } from "../../model/parts";
 import { useStudio } from "../../model/studio";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { setResolver, useDrag } from "../../session/drag";
 import { currentDrawing, type Drawing, nodeOf, useDrawing } from "../../session/drawing";
 import {
@@ -45,13 +45,13 @@ import { useFirstCamera, useViewport } from "./viewport";
 import { leastZoom } from "./zoom-range";
 import { ZoomControl } from "./ZoomControl";
 
-const ContextMenu = later(() => import("./ContextMenu").then((chunk) => chunk.ContextMenu), complain);
-const Pinch = later(() => import("./pinch").then((chunk) => chunk.Pinch), complain);
-const NoteEditor = later(() => import("./NoteEditor").then((chunk) => chunk.NoteEditor), complain, { typing: true });
-const Find = later(() => import("./Find").then((chunk) => chunk.Find), complain, { typing: true });
-const InPlace = later(() => import("./InPlace").then((chunk) => chunk.InPlace), complain, { typing: true });
-const Minimap = later(() => import("./Minimap").then((chunk) => chunk.Minimap), complain);
-const EmptyTeaching = later(() => import("./EmptyTeaching").then((chunk) => chunk.EmptyTeaching), complain, {
+const ContextMenu = later(() => import("./ContextMenu").then((chunk) => chunk.ContextMenu), reportError);
+const Pinch = later(() => import("./pinch").then((chunk) => chunk.Pinch), reportError);
+const NoteEditor = later(() => import("./NoteEditor").then((chunk) => chunk.NoteEditor), reportError, { typing: true });
+const Find = later(() => import("./Find").then((chunk) => chunk.Find), reportError, { typing: true });
+const InPlace = later(() => import("./InPlace").then((chunk) => chunk.InPlace), reportError, { typing: true });
+const Minimap = later(() => import("./Minimap").then((chunk) => chunk.Minimap), reportError);
+const EmptyTeaching = later(() => import("./EmptyTeaching").then((chunk) => chunk.EmptyTeaching), reportError, {
   words: false,
 });
 

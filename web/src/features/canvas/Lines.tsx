@@ -10,7 +10,7 @@ import {
   type Point,
   roundedPath,
 } from "../../model/layout";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { justDragged, useDrag } from "../../session/drag";
 import { currentDrawing, type Drawing } from "../../session/drawing";
 import { spokenArc } from "../../session/spoken";
@@ -20,7 +20,7 @@ import { FoldControls } from "./Folding";
 import { useMoved } from "./moved";
 import { boxInside, type Part } from "./part";
 
-const Lanes = later(() => import("./Lanes").then((chunk) => chunk.Lanes), complain);
+const Lanes = later(() => import("./Lanes").then((chunk) => chunk.Lanes), reportError);
 
 function arcInside({ points }: Pick<LayoutArc, "points">, { x0, y0, x1, y1 }: Part): boolean {
   let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];

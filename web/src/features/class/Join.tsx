@@ -5,10 +5,10 @@ import { type FormEvent, type ReactNode, useEffect, useRef, useState } from "rea
 
 import { classApi } from "../../api/class";
 import { ApiError } from "../../api/client";
-import { inPage } from "../../api/line";
 import { type Failure, whyRefused } from "../../api/refusal";
 import { siteParts } from "../../api/site-parts";
 import { takeToken } from "../../api/token";
+import { inPage } from "../../api/transport";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { Icon } from "../../theme";

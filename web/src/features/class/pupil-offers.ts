@@ -4,7 +4,7 @@ import { create } from "zustand";
 import { classApi } from "../../api/class";
 import { api } from "../../api/client";
 import { exerciseApi } from "../../api/exercises";
-import { inPage } from "../../api/line";
+import { inPage } from "../../api/transport";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import { remember as rememberExercise } from "../../session/open-exercise";

@@ -13,7 +13,7 @@ import { takeToken } from "../../api/token";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import type { Mission } from "../../model/types";
-import { complain, shownName, whenReady } from "../../session/document";
+import { reportError, shownName, whenReady } from "../../session/document";
 import { setComments, useOpenExercise } from "../../session/open-exercise";
 import { beginMission } from "../../session/open-requests";
 import { useRun } from "../../session/run";
@@ -171,7 +171,7 @@ class PupilSync {
       .then(whenReady)
       .then(() => this.#obey(news))
       .then(() => (before === "teacher" && news.turn === "pupil" ? this.#takeBack() : undefined))
-      .catch(complain);
+      .catch(reportError);
   }
 
   async #obey(news: PupilNewsMessage): Promise<void> {

@@ -16,7 +16,7 @@ import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { TEAM_ROBOT } from "../../model/team-robot";
 import { type CodeSide, showCode, useCodeSide } from "../../session/code-side";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { useShown } from "../../session/simple-view";
 import { useTyping } from "../../session/typing";
 import { awaitAnswer } from "../../ui/effects";
@@ -24,7 +24,7 @@ import { later } from "../../ui/later";
 import { TabList } from "../../ui/TabList";
 import { Lll } from "./Lll";
 
-const Projection = later(() => import("./Projection").then((chunk) => chunk.default), complain);
+const Projection = later(() => import("./Projection").then((chunk) => chunk.default), reportError);
 export function Code() {
   const wanted = useCodeSide((code) => code.side);
   const isTeam = useStudio((studio) => studio.mission.programs.some((one) => one.robot === TEAM_ROBOT));

@@ -5,7 +5,7 @@ import { t } from "../../i18n/words";
 import { ownConstructors } from "../../model/own";
 import { useStudio } from "../../model/studio";
 import { canSave, closeMenu, openDelete, openEdit, openSave, useOwn } from "../../session/custom-blocks";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { keyFor } from "../../session/key-table";
 import type { MenuEntries } from "../../session/menu-table";
@@ -30,7 +30,10 @@ function useMenu(): MenuEntries {
   };
 }
 
-const CustomBlockSheets = later(() => import("./CustomBlockSheets").then((chunk) => chunk.CustomBlockSheets), complain);
+const CustomBlockSheets = later(
+  () => import("./CustomBlockSheets").then((chunk) => chunk.CustomBlockSheets),
+  reportError,
+);
 
 /** What lies over the page for parts of one's own: the open sheet, and the menu of a part in the palette. */
 export function CustomBlocks() {

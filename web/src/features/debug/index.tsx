@@ -3,13 +3,13 @@ import { DockButton } from "../../components/DockButton";
 import { t } from "../../i18n/words";
 import { reveal } from "../../session/actions";
 import { followBreakpoints } from "../../session/breakpoints";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { endAll } from "../../ui/effects";
 import { later } from "../../ui/later";
 import { takeSamples } from "./samples";
 
-const WatchPanel = later(() => import("./Watch").then((chunk) => chunk.WatchPanel), complain);
+const WatchPanel = later(() => import("./Watch").then((chunk) => chunk.WatchPanel), reportError);
 
 /** The watch's button in the bottom bar. */
 function WatchButton() {

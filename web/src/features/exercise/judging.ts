@@ -11,12 +11,12 @@ import type { Exercise } from "../../api/generated";
 import { useStudio } from "../../model/studio";
 import type { Mission } from "../../model/types";
 import { isHeldByRobots } from "../../session/confirming-run";
-import { complain, show } from "../../session/document";
+import { reportError, show } from "../../session/document";
+import { setOpenLesson } from "../../session/lessons";
+import { remember, setGoals, useOpenExercise } from "../../session/open-exercise";
 import { openMissionOfLesson } from "../../session/open-requests";
 import { isLive, useRun } from "../../session/run";
-import { setOpenLesson } from "../../session/lessons";
 import { type Mark, noMarks, pieces, withVerdicts } from "./marks";
-import { remember, setGoals, useOpenExercise } from "../../session/open-exercise";
 
 /** What the marks are of: nothing yet, one run, every run, or as far as judging came before it was stopped. */
 export type Basis =
@@ -58,7 +58,7 @@ export async function lookForExercises(): Promise<void> {
   } catch (cause) {
     if (useExercise.getState().all !== null) return;
     set({ all: [] });
-    complain(cause);
+    reportError(cause);
   }
 }
 
@@ -129,7 +129,7 @@ async function judge(
   } catch (cause) {
     if (mine.signal.aborted) return;
     set({ busy: null });
-    complain(cause);
+    reportError(cause);
   }
 }
 

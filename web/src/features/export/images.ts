@@ -3,7 +3,7 @@ import { api } from "../../api/client";
 import type { Image as Made } from "../../api/generated";
 import { t } from "../../i18n/words";
 import { programInView, useStudio } from "../../model/studio";
-import { complain, question } from "../../session/document";
+import { question, reportError } from "../../session/document";
 import { walkProblems } from "../../session/problem-walk";
 import { download } from "../../ui/download";
 
@@ -24,7 +24,7 @@ async function make(keep: (name: string, made: Made) => void): Promise<void> {
   try {
     keep(name, await api.image(mission, file.path, name));
   } catch (cause) {
-    complain(cause);
+    reportError(cause);
   }
 }
 

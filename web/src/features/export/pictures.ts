@@ -8,7 +8,7 @@ import { api } from "../../api/client";
 import { drawn } from "../../components/graph/drawn";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { currentDrawing } from "../../session/drawing";
 import { download } from "../../ui/download";
 
@@ -59,7 +59,7 @@ export async function exportSvg(): Promise<void> {
     const made = await make();
     if (made !== null) download(`${made.name}.svg`, made.svg, "image/svg+xml");
   } catch (cause) {
-    complain(cause);
+    reportError(cause);
   }
 }
 
@@ -69,7 +69,7 @@ export async function exportPng(): Promise<void> {
     if (made === null) return;
     download(`${made.name}.png`, withText(await dots(made), KEYWORD, made.mission), "image/png");
   } catch (cause) {
-    complain(cause);
+    reportError(cause);
   }
 }
 

@@ -8,7 +8,7 @@ import { t } from "../../i18n/words";
 import { elsewhere } from "../../model/part-search";
 import { partsOf } from "../../model/parts";
 import { programInView, useStudio } from "../../model/studio";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { setBin, useDrag } from "../../session/drag";
 import { addPart } from "../../session/edits";
 import { useKit } from "../../session/kit";
@@ -23,8 +23,8 @@ import { actionsOf, rowKey } from "./row-actions";
 import { partsOfKit, type Row, rowOfPart, tabsOf } from "./tree";
 import { VariableMenu } from "./VariableMenu";
 
-const KitNote = later(() => import("./KitNote").then((chunk) => chunk.KitNote), complain);
-const VariableForm = later(() => import("./VariableForm").then((chunk) => chunk.VariableForm), complain);
+const KitNote = later(() => import("./KitNote").then((chunk) => chunk.KitNote), reportError);
+const VariableForm = later(() => import("./VariableForm").then((chunk) => chunk.VariableForm), reportError);
 
 export function Palette() {
   const form = useVariables((state) => state.form);

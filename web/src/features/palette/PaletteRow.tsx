@@ -10,7 +10,7 @@ import { addPart } from "../../session/edits";
 import { useRun, watchedAgent } from "../../session/run";
 import { newVariable, renameVariable, useVariables } from "../../session/variables";
 import { Icon, Tile } from "../../theme";
-import { whenFingerRests } from "../../ui/rest";
+import { onLongPress } from "../../ui/long-press";
 import { actionsOf, removableProps } from "./row-actions";
 import type { Row } from "./tree";
 import { VariableName } from "./VariableName";
@@ -60,7 +60,7 @@ export function PaletteRow({ row, robot, focused, onFocus, onNamed }: RowProps) 
       {...(actions === null ? {} : removableProps(actions))}
       onPointerDown={(event) => {
         beginDrag(event, { kind: "part", element: shape.element });
-        if (actions !== null) whenFingerRests(event, actions.openMenu);
+        if (actions !== null) onLongPress(event, actions.openMenu);
       }}
       onClick={() => {
         if (!justDragged()) addPart(shape.element);
@@ -91,7 +91,7 @@ function ObjectRow({ row, robot, common, onNamed }: ObjectProps) {
       {...common}
       {...(actions === null ? {} : removableProps(actions))}
       {...(variable === null ? {} : { onDoubleClick: () => renameVariable(variable) })}
-      onPointerDown={(event) => actions !== null && whenFingerRests(event, actions.openMenu)}
+      onPointerDown={(event) => actions !== null && onLongPress(event, actions.openMenu)}
       className="palette-object row"
       data-testid={`object-${object.name}`}
     >

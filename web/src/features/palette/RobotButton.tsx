@@ -3,7 +3,7 @@ import { t } from "../../i18n/words";
 import { robotKinds } from "../../model/robot-kinds";
 import { execute, programInView, useStudio } from "../../model/studio";
 import { TEAM_ROBOT } from "../../model/team-robot";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { Icon } from "../../theme";
 import { later } from "../../ui/later";
 import type { MenuEntry } from "../../ui/menu-model";
@@ -11,7 +11,7 @@ import { MenuButton } from "../../ui/MenuButton";
 
 const RobotPicture = later(
   () => import("../../components/RobotPicture").then((chunk) => chunk.RobotPicture),
-  complain,
+  reportError,
   { words: false },
 );
 
@@ -19,7 +19,7 @@ function takeRobot(robot: string): void {
   import("../../model/commands/changeRobot").then(({ changeRobot }) => {
     const { mission, catalogue, activeProgram } = useStudio.getState();
     execute(changeRobot(mission, catalogue, activeProgram, robot));
-  }, complain);
+  }, reportError);
 }
 
 /** Nothing in a program of a team, whose parts are those of several robots. */

@@ -5,7 +5,7 @@ import { DockButton } from "../../components/DockButton";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { useBehind } from "../../session/checked";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import type { Feature } from "../../session/features";
 import type { PageKey } from "../../session/key-table";
 import { fixProblem, PROBLEMS, showFirstProblem, useProblems, walkProblems } from "../../session/problem-walk";
@@ -42,7 +42,7 @@ function showRunProblems(): () => void {
   return endAll(offRun, offMission);
 }
 
-const Open = later(() => import("./ProblemList").then((chunk) => chunk.ProblemList), complain);
+const Open = later(() => import("./ProblemList").then((chunk) => chunk.ProblemList), reportError);
 
 function ProblemList() {
   return (

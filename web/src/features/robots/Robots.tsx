@@ -8,7 +8,7 @@ import "./boards.css";
 
 import { type FormEvent, useEffect, useState } from "react";
 
-import { inPage } from "../../api/line";
+import { inPage } from "../../api/transport";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { stopEverything } from "../../session/features";

@@ -2,7 +2,7 @@
  * The real robots as the page knows them: ports, robots that a page of this studio talks with, and what was chosen for each.
  *
  * The server tells; this only keeps. A robot's message is whole each time. Which program is to go to which robot, and the
- * addresses on the network that were typed, are remembered in this browser. Left to others: the socket (`line.ts`), what can
+ * addresses on the network that were typed, are remembered in this browser. Left to others: the socket (`socket.ts`), what can
  * be done (`acts.ts`), the run that the canvas shows (`shown.ts`).
  */
 import { create } from "zustand";

@@ -2,7 +2,7 @@
 import type { ReactNode } from "react";
 
 import { moreWords, t } from "../../i18n/words";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { type Feature, STOP_KEY, stopEverything } from "../../session/features";
 import { keyFor, type PageKey } from "../../session/key-table";
 import type { MenuEntries } from "../../session/menu-table";
@@ -15,7 +15,7 @@ const Robots = later(
   () => import("./Robots").then((chunk) => chunk.Robots),
   (cause) => {
     showRobots(false);
-    complain(cause);
+    reportError(cause);
   },
 );
 
@@ -74,13 +74,13 @@ function saveFileForBoard(): void {
   showRobots();
   Promise.all([import("./board-file"), moreWords()]).then(([{ saveBoardFile }]) => {
     saveBoardFile();
-  }, complain);
+  }, reportError);
 }
 
 /** Sends to every robot that is connected, and runs; where none is, the panel says what to do. */
 function runOnRobots(): void {
   showRobots();
-  Promise.all([import("./actions"), moreWords()]).then(([{ runOnAll }]) => runOnAll(), complain);
+  Promise.all([import("./actions"), moreWords()]).then(([{ runOnAll }]) => runOnAll(), reportError);
 }
 
 export const robots: Feature = {

@@ -8,7 +8,7 @@
 import { create } from "zustand";
 
 import { socketAddress } from "../../api/address";
-import { talk } from "../../api/line";
+import { transport } from "../../api/transport";
 import { joinBytes } from "../../model/bytes";
 import { useBoards } from "./boards";
 
@@ -180,7 +180,7 @@ function offer(port: Port): void {
   address.searchParams.set("key", key);
   address.searchParams.set("mark", entry.mark);
   address.searchParams.set("vendor", String(port.getInfo().usbVendorId ?? 0));
-  const pipe = new Pipe(port, talk().socket(address), () => {
+  const pipe = new Pipe(port, transport().socket(address), () => {
     if (held.get(port)?.pipe === pipe) held.set(port, { ...entry, pipe: null });
   });
   held.set(port, { ...entry, pipe });

@@ -7,7 +7,7 @@ import { t } from "../../i18n/words";
 import { programInView, useStudio } from "../../model/studio";
 import { changeSpeed, pause, reveal, run as begin, stepVertex } from "../../session/actions";
 import { useDisk } from "../../session/disk";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { type Feature, STOP_KEY, stopEverything } from "../../session/features";
 import { keyFor } from "../../session/key-table";
 import type { MenuEntries } from "../../session/menu-table";
@@ -24,8 +24,8 @@ import { RunTools } from "./RunTools";
 
 /** What is shown of real robots is that old at most while it follows them. */
 const NOW_MS = 1000;
-const RecordingBar = later(() => import("./RecordingBar").then((chunk) => chunk.RecordingBar), complain);
-const BehindBar = later(() => import("./BehindBar").then((chunk) => chunk.BehindBar), complain);
+const RecordingBar = later(() => import("./RecordingBar").then((chunk) => chunk.RecordingBar), reportError);
+const BehindBar = later(() => import("./BehindBar").then((chunk) => chunk.BehindBar), reportError);
 
 /** Whether real robots, or a team of processes, are further than what is shown of them. */
 function isBehind({ real, isFleet, status, tick, latest, tickMs }: RunState): boolean {
@@ -67,7 +67,7 @@ function useMenu(): MenuEntries {
         !goesBack,
       ),
       menuItem("run-stop", t(watching ? "watching.leave" : "run.stop"), key(STOP_KEY), stopEverything, !live),
-      menuItem("run-save", t("recording.save"), null, () => saveRun().catch(complain), name === ""),
+      menuItem("run-save", t("recording.save"), null, () => saveRun().catch(reportError), name === ""),
       { kind: "heading", id: "run-speed", label: t("run.speed") },
       menuItem("run-slower", t("run.slower"), key(KEYS.slower), () => changeSpeed(-1)),
       menuItem("run-faster", t("run.faster"), key(KEYS.faster), () => changeSpeed(1)),
@@ -77,7 +77,7 @@ function useMenu(): MenuEntries {
   };
 }
 
-const Bar = later(() => import("./WatchingBar").then((chunk) => chunk.WatchingBar), complain);
+const Bar = later(() => import("./WatchingBar").then((chunk) => chunk.WatchingBar), reportError);
 
 /** The run that is watched, or can be; "" for none. Who has a run of their own going on is not offered another. */
 function useWatchable(): string {
@@ -93,7 +93,7 @@ export function Watching() {
   return run === "" ? null : <Bar run={run} />;
 }
 
-const Row = later(() => import("./RunningRow").then((chunk) => chunk.RunningRow), complain);
+const Row = later(() => import("./RunningRow").then((chunk) => chunk.RunningRow), reportError);
 
 function useThreads(program: string): Thread[] {
   const active = useActiveVertices(program);

@@ -8,22 +8,25 @@ import { changeWorld, sameWorld } from "../../model/commands/changeWorld";
 import { execute, useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { WorldEntry } from "../../model/types";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { editWorld } from "../../session/world-edits";
-import { foreseeWorld, useFiles } from "../../session/world-files";
+import { primeWorld, useFiles } from "../../session/world-files";
 import { openWorld } from "../../session/world-view";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
 import { awaitAnswer } from "../../ui/effects";
 import { later } from "../../ui/later";
 
-const WorldPicture = later(() => import("../../components/WorldPicture").then((chunk) => chunk.WorldPicture), complain);
+const WorldPicture = later(
+  () => import("../../components/WorldPicture").then((chunk) => chunk.WorldPicture),
+  reportError,
+);
 
 function useWorlds(): WorldEntry[] {
   const path = useStudio((studio) => studio.file.path);
   const read = useFiles((files) => files.read);
   const [worlds, setWorlds] = useState<WorldEntry[]>([]);
-  useEffect(() => awaitAnswer(partsApi.worlds(path), setWorlds, complain), [path, read]);
+  useEffect(() => awaitAnswer(partsApi.worlds(path), setWorlds, reportError), [path, read]);
   return worlds;
 }
 
@@ -51,7 +54,7 @@ function Card({ entry, chosen }: { entry: WorldEntry; chosen: boolean }) {
           name="team-world"
           checked={chosen}
           onChange={() => {
-            foreseeWorld(href, world);
+            primeWorld(href, world);
             execute(changeWorld(useStudio.getState().mission, href));
           }}
         />

@@ -2,7 +2,7 @@
 import { DockButton } from "../../components/DockButton";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import type { Feature, FeatureTab } from "../../session/features";
 import { keyFor, type PageKey } from "../../session/key-table";
 import { MEMBERS } from "../../session/members";
@@ -12,7 +12,7 @@ import { later } from "../../ui/later";
 import { menuItem } from "../../ui/menu-model";
 import { TeamSide } from "./TeamSide";
 
-const Members = later(() => import("./Members").then((chunk) => chunk.Members), complain);
+const Members = later(() => import("./Members").then((chunk) => chunk.Members), reportError);
 
 const KEYS = {
   team: { chords: ["Alt+T"], says: "team.open", also: "search.team", typing: true, run: () => openTeam() },
@@ -30,7 +30,7 @@ function MembersButton() {
 }
 
 /** The tab behind those of the programs, and the panel that it opens, fetched when it is opened. */
-const Team = later(() => import("./Team").then((chunk) => chunk.default), complain);
+const Team = later(() => import("./Team").then((chunk) => chunk.default), reportError);
 
 const teamTab: FeatureTab = {
   name: "team",

@@ -6,7 +6,7 @@ import { useEffect } from "react";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
-import { complain, useDocument } from "../../session/document";
+import { reportError, useDocument } from "../../session/document";
 import { openLesson, useLessons } from "../../session/lessons";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
@@ -15,7 +15,7 @@ import { Tool } from "../../ui/Tool";
 import { begin, keepTutorials } from "./opening";
 import { useTutorial, welcome } from "./state";
 
-const TutorialPanel = later(() => import("./Panel").then((chunk) => chunk.TutorialPanel), complain);
+const TutorialPanel = later(() => import("./Panel").then((chunk) => chunk.TutorialPanel), reportError);
 
 export function Tutorials() {
   const open = useTutorial((state) => state.tutorial !== null);

@@ -10,7 +10,7 @@ import { api } from "../../api/client";
 import type { Tutorial } from "../../api/generated";
 import { tutorialApi } from "../../api/tutorials";
 import { useStudio } from "../../model/studio";
-import { complain, show, useDocument } from "../../session/document";
+import { reportError, show, useDocument } from "../../session/document";
 import { openMissionOfLesson } from "../../session/open-requests";
 import { loadFromDisk } from "../../session/opening";
 import { begun, openTutorial, type Progress, rememberedProgress } from "./progress";
@@ -33,7 +33,7 @@ export async function lookForTutorials(): Promise<void> {
     // An older list stays; the failure is shown only without one.
     if (useTutorial.getState().all !== null) return;
     setTutorials([]);
-    complain(cause);
+    reportError(cause);
   }
 }
 

@@ -2,7 +2,7 @@
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { thingNamed } from "../../model/world/thing";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import type { Feature, FeatureTab } from "../../session/features";
 import { keyFor, type PageKey } from "../../session/key-table";
 import { useTeam } from "../../session/team-view";
@@ -16,7 +16,7 @@ const KEYS = {
 } satisfies Record<string, PageKey>;
 
 /** The tab behind the team's, and the panel that it opens, fetched then. */
-const World = later(() => import("./World").then((chunk) => chunk.default), complain);
+const World = later(() => import("./World").then((chunk) => chunk.default), reportError);
 
 const worldTab: FeatureTab = {
   name: "world",

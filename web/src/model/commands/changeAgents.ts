@@ -4,7 +4,7 @@
  * An agent without a start of its own starts at the place of its name; whoever renames it leaves it where it is.
  */
 import { t } from "../../i18n/words";
-import { becomes, type Command, withOptional } from "../command";
+import { type Command, commandTo, withOptional } from "../command";
 import { startOf } from "../starts";
 import { TEAM_ROBOT } from "../team-robot";
 import type { Agent, Catalogue, Mission } from "../types";
@@ -12,7 +12,7 @@ import { kindOf } from "./castAgents";
 import { declaredNames, groupsOf, rolesOf, withMember } from "./changeDeclared";
 
 function withAgents(label: string, before: Mission, agents: Agent[], trial: Partial<Mission> = {}): Command {
-  return becomes(label, withOptional({ ...before, agents }, trial));
+  return commandTo(label, withOptional({ ...before, agents }, trial));
 }
 
 function has(mission: Mission, name: string): boolean {
@@ -139,5 +139,5 @@ export function placeAgents(mission: Mission, starts: readonly string[]): Comman
     return start === undefined ? agent : { ...agent, start: start === agent.name ? "" : start };
   });
   if (agents.every((agent, at) => agent === mission.agents[at])) return null;
-  return becomes(t("command.place"), { ...mission, agents });
+  return commandTo(t("command.place"), { ...mission, agents });
 }

@@ -1,6 +1,6 @@
 /** Breakpoints of a mission. An empty list is left out; everything else stays the same objects. */
 import { t } from "../../i18n/words";
-import { becomes, type Command, withOptional } from "../command";
+import { type Command, commandTo, withOptional } from "../command";
 import { type Parts, title } from "../parts";
 import type { Breakpoint, Mission, Program } from "../types";
 
@@ -25,7 +25,7 @@ export function setBreakpoint(parts: Parts, mission: Mission, made: Breakpoint):
   const old = breakpointAt(mission, made.program, made.vertex);
   const others = sound(mission);
   const list = old === undefined ? [...others, made] : others.map((one) => (one === old ? made : one));
-  return becomes(
+  return commandTo(
     t("command.breakpoint", { name: title(parts.shape(there.element)) }),
     withOptional(mission, { breakpoints: list }),
   );
@@ -36,7 +36,7 @@ export function removeBreakpoint(mission: Mission, program: string, vertex: stri
   const old = breakpointAt(mission, program, vertex);
   if (old === undefined) return null;
   const list = sound(mission).filter((one) => one !== old);
-  return becomes(t("command.no-breakpoint"), withOptional(mission, { breakpoints: list }));
+  return commandTo(t("command.no-breakpoint"), withOptional(mission, { breakpoints: list }));
 }
 
 /** The breakpoints after a program was given another name. */

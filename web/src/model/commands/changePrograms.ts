@@ -1,6 +1,6 @@
 /** Adds, renames and removes whole programs of the mission. Agents follow a renamed program. */
 import { t } from "../../i18n/words";
-import { becomes, type Command } from "../command";
+import { type Command, commandTo } from "../command";
 import { withNamed } from "../team-names";
 import type { Catalogue, Mission, Program } from "../types";
 import { breakpointsRenamed } from "./changeBreakpoints";
@@ -27,7 +27,7 @@ export function addProgram(
   level: Program["level"] = "agent",
 ): Command | null {
   if (name === "" || mission.programs.some((one) => one.name === name)) return null;
-  return becomes(t("command.add", { name }), {
+  return commandTo(t("command.add", { name }), {
     ...mission,
     programs: [...mission.programs, emptyProgram(name, robot, level)],
   });
@@ -42,7 +42,7 @@ export function renameProgram(mission: Mission, name: string, to: string, catalo
   if (!mission.programs.some((one) => one.name === name)) return null;
   const named =
     catalogue === undefined ? mission.programs : withNamed(mission.programs, catalogue, "program", [name, to]);
-  return becomes(t("command.rename", { name }), {
+  return commandTo(t("command.rename", { name }), {
     ...mission,
     programs: named.map((one) => (one.name === name ? { ...one, name: to } : one)),
     agents: mission.agents.map((one) => (one.program === name ? { ...one, program: to } : one)),
@@ -53,7 +53,7 @@ export function renameProgram(mission: Mission, name: string, to: string, catalo
 /** Without that program and its agents, or null when it is the only one. */
 export function removeProgram(mission: Mission, name: string): Command | null {
   if (mission.programs.length <= 1 || !mission.programs.some((one) => one.name === name)) return null;
-  return becomes(t("command.delete", { name }), {
+  return commandTo(t("command.delete", { name }), {
     ...mission,
     programs: mission.programs.filter((one) => one.name !== name),
     agents: mission.agents.filter((one) => one.program !== name),
@@ -67,5 +67,5 @@ export function moveProgram(mission: Mission, name: string, by: 1 | -1): Command
   if (moved === undefined || mission.programs[from + by] === undefined) return null;
   const programs = mission.programs.filter((one) => one !== moved);
   programs.splice(from + by, 0, moved);
-  return becomes(t("command.move", { name }), { ...mission, programs });
+  return commandTo(t("command.move", { name }), { ...mission, programs });
 }

@@ -2,7 +2,7 @@
 import { create } from "zustand";
 
 import { t } from "../../../i18n/words";
-import { becomes, type Command } from "../../../model/command";
+import { type Command, commandTo } from "../../../model/command";
 import { castAgent, isOfTeam, playing, whyNotCast } from "../../../model/commands/castAgents";
 import { groupsOf, joinGroup, leaveGroup, rolesOf } from "../../../model/commands/changeDeclared";
 import { execute, useStudio } from "../../../model/studio";
@@ -56,7 +56,7 @@ export function putting(mission: Mission, thing: Thing, goal: Goal): Command | n
     if (joined === null || thing.from === undefined) return joined;
     const after = joined.execute(mission);
     const left = leaveGroup(after, at(thing.from), thing.name);
-    return left === null ? joined : becomes(joined.label, left.execute(after));
+    return left === null ? joined : commandTo(joined.label, left.execute(after));
   }
   if (thing.from !== undefined && goal.kind === "spare") return leaveGroup(mission, at(thing.from), thing.name);
   return castAgent(mission, agentAt(mission, thing.name), goal.kind === "role" ? goal.name : "");

@@ -4,8 +4,8 @@
  * Whoever listens at the address after a lost connection may be anybody, so nobody is told anything before they have proved
  * that they know the folder's secret; server/handshake.py has the other half. The secret stays in this page's memory.
  */
-import { talk } from "./line";
 import { takeToken, token } from "./token";
+import { transport } from "./transport";
 
 let secret = "";
 
@@ -30,12 +30,12 @@ async function proof(who: "studio" | "page", asked: string, answered: string): P
 
 async function post<T>(address: string, json: object): Promise<T | null> {
   const headers = { "Content-Type": "application/json" };
-  const response = await talk().fetch(address, { method: "POST", headers, body: JSON.stringify(json) });
+  const response = await transport().fetch(address, { method: "POST", headers, body: JSON.stringify(json) });
   return response.ok ? ((await response.json()) as T) : null;
 }
 
 /** Finds out which studio, if any, listens at the address. */
-export async function meetAgain(): Promise<Met> {
+export async function renewToken(): Promise<Met> {
   // Only pages of this very machine can prove anything; the others still see whether anybody is there.
   if (secret === "" || !window.isSecureContext) {
     return fetch("api/again", { method: "POST" }).then(

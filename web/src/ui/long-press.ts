@@ -5,7 +5,7 @@ const REST_MS = 550;
 const STILL_PX = 8;
 
 /** From a pointer that went down: calls back where a finger stays for a while without moving; a mouse never does. */
-export function whenFingerRests(event: PointerEvent, open: (x: number, y: number) => void): void {
+export function onLongPress(event: PointerEvent, open: (x: number, y: number) => void): void {
   if (event.pointerType === "mouse") return;
   const { clientX: x, clientY: y } = event;
   const timer = setTimeout(() => {

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
-import { meetAgain, rememberSecret } from "./again";
 import { api } from "./client";
+import { rememberSecret, renewToken } from "./reconnect";
 import { forgetToken, takeToken, token } from "./token";
 
 const SECRET = "the folder's";
@@ -45,21 +45,21 @@ afterEach(() => {
 
 it("takes the token of a studio that proves that it is of the same folder", async () => {
   listen(SECRET);
-  expect(await meetAgain()).toBe("new");
+  expect(await renewToken()).toBe("new");
   expect(token()).toBe("new");
-  expect(await meetAgain()).toBe("same");
+  expect(await renewToken()).toBe("same");
 });
 
 it("tells a stranger nothing but a number that was never used", async () => {
   const told = listen("another");
-  expect(await meetAgain()).toBe("stranger");
+  expect(await renewToken()).toBe("stranger");
   expect(told.map((one) => Object.keys(one))).toEqual([["asked"]]);
   expect(token()).toBe("old");
 });
 
 it("tells a missing studio from a stranger", async () => {
   vi.stubGlobal("fetch", () => Promise.reject(new TypeError("Failed to fetch")));
-  expect(await meetAgain()).toBe("nobody");
+  expect(await renewToken()).toBe("nobody");
 });
 
 it("sends a refused request again although somebody else took the new token meanwhile", async () => {
@@ -70,7 +70,7 @@ it("sends a refused request again although somebody else took the new token mean
     if (address.startsWith("api/again")) return meet(address, asked);
     tokens.push(new Headers(asked.headers).get("X-KitRobot-Token") ?? "");
     if (tokens.at(-1) === "new") return new Response("[]");
-    await meetAgain();
+    await renewToken();
     return new Response("{}", { status: 403 });
   });
   expect(await api.missions()).toEqual([]);

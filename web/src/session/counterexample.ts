@@ -4,7 +4,7 @@ import { create } from "zustand";
 import { useStudio } from "../model/studio";
 
 /** One vertex of the run that is open. */
-export interface GuiltyMark {
+export interface CounterexampleMark {
   program: string;
   vertex: string;
   /** What happens there; "" where the run only passes by, or where another mark says it. */
@@ -16,19 +16,19 @@ export interface GuiltyMark {
   steps: readonly number[];
 }
 
-export const useGuilty = create<{ marks: readonly GuiltyMark[] }>(() => ({ marks: [] }));
+export const useCounterexample = create<{ marks: readonly CounterexampleMark[] }>(() => ({ marks: [] }));
 
-export function markVertices(marks: readonly GuiltyMark[]): void {
-  useGuilty.setState({ marks });
+export function markVertices(marks: readonly CounterexampleMark[]): void {
+  useCounterexample.setState({ marks });
 }
 
 /** The mark of a vertex of the program in view. */
-export function useMarkAt(vertex: string): GuiltyMark | undefined {
+export function useMarkAt(vertex: string): CounterexampleMark | undefined {
   const program = useStudio((studio) => studio.activeProgram);
-  return useGuilty(({ marks }) => marks.find((one) => one.vertex === vertex && one.program === program));
+  return useCounterexample(({ marks }) => marks.find((one) => one.vertex === vertex && one.program === program));
 }
 
 /** Whether a property is broken in that program. */
-export function useIsGuilty(program: string): boolean {
-  return useGuilty(({ marks }) => marks.some((one) => one.program === program && one.robots.length > 0));
+export function useHasCounterexample(program: string): boolean {
+  return useCounterexample(({ marks }) => marks.some((one) => one.program === program && one.robots.length > 0));
 }

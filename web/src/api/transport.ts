@@ -3,23 +3,23 @@
  *
  * Addresses are the same for both.
  */
-export interface Line {
+export interface Transport {
   fetch: (address: string, asked: RequestInit) => Promise<Response>;
   socket: (address: URL) => WebSocket;
 }
 
-let line: Line = {
+let current: Transport = {
   fetch: (address, asked) => fetch(address, asked),
   socket: (address) => new WebSocket(address),
 };
 
-export function talk(): Line {
-  return line;
+export function transport(): Transport {
+  return current;
 }
 
-/** Everything is said through that line from now on. */
-export function talkThrough(other: Line): void {
-  line = other;
+/** Everything is said through that transport from now on. */
+export function setTransport(other: Transport): void {
+  current = other;
 }
 
 /** Whether the page is one of a static site: Python runs in it, and it reaches no network. */
