@@ -290,18 +290,10 @@ export const useRun = create<RunState>((set, get) => ({
   seek: (tick) => {
     if (can("seek", get())) seeks.ask(Math.round(tick));
   },
-  force: (agent, sensor, value) => {
-    steer({ type: "force", agent, sensor, value });
-  },
-  pauseAt: (breakpoints) => {
-    steer({ type: "breakpoints", breakpoints });
-  },
-  setVariable: (agent, variable, value) => {
-    steer({ type: "set", agent, variable, value });
-  },
-  injectFault: (agent, kind) => {
-    steer({ type: "harm", agent, kind });
-  },
+  force: (agent, sensor, value) => steer({ type: "force", agent, sensor, value }),
+  pauseAt: (breakpoints) => steer({ type: "breakpoints", breakpoints }),
+  setVariable: (agent, variable, value) => steer({ type: "set", agent, variable, value }),
+  injectFault: (agent, kind) => steer({ type: "harm", agent, kind }),
   setSpeed: (speed) => {
     set({ speed });
     if (isLive(get().status)) steer({ type: "speed", value: speed });

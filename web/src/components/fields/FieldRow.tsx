@@ -148,9 +148,7 @@ function NumberRow(props: FieldProps) {
         aria-describedby={`${id}-help`}
         value={typed}
         onFocus={onFocus}
-        onChange={(event) => {
-          change(event.target.value);
-        }}
+        onChange={(event) => change(event.target.value)}
         onBlur={() => {
           if (!wrong) setDraft(null);
         }}
@@ -264,9 +262,7 @@ function SwitchRow(props: FieldProps) {
         onKeyDown={(event) => {
           if (event.key === "Escape" || props.done !== undefined) leave(event);
         }}
-        toggle={() => {
-          set(on ? "0" : "1");
-        }}
+        toggle={() => set(on ? "0" : "1")}
       />
     </label>
   );
@@ -325,9 +321,7 @@ function TextRow(props: FieldProps) {
         value={vertex.settings[field.name] ?? ""}
         onFocus={onFocus}
         onKeyDown={leave}
-        onChange={(event) => {
-          set(event.target.value);
-        }}
+        onChange={(event) => set(event.target.value)}
       />
     </label>
   );

@@ -121,12 +121,8 @@ export function TextEditor(props: TextEditorProps) {
             if (byHand && range.empty) latest.current.onPick(range.head, byMouse);
           }),
           EditorView.domEventHandlers({
-            pointermove: (event, at) => {
-              latest.current.onPoint(at.posAtCoords({ x: event.clientX, y: event.clientY }));
-            },
-            pointerleave: () => {
-              latest.current.onPoint(null);
-            },
+            pointermove: (event, at) => latest.current.onPoint(at.posAtCoords({ x: event.clientX, y: event.clientY })),
+            pointerleave: () => latest.current.onPoint(null),
           }),
           lllExtensions,
         ],

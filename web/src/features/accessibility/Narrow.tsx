@@ -31,9 +31,7 @@ export function NarrowTabs() {
           type="button"
           data-testid={`room-${room}`}
           aria-pressed={chosen === room}
-          onClick={() => {
-            open(room);
-          }}
+          onClick={() => open(room)}
         >
           <Icon name={icon} size={18} />
           {t(`view.${room}`)}

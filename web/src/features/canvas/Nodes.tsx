@@ -72,9 +72,7 @@ function Terminal({ node }: { node: LayoutNode }) {
       aria-label={name}
       aria-current={selected}
       style={{ width: w, height: h }}
-      onClick={(event) => {
-        selectVertex(id, event);
-      }}
+      onClick={(event) => selectVertex(id, event)}
     >
       <svg width="12" height="12" viewBox="0 0 12 12" aria-hidden="true">
         <path
@@ -109,9 +107,7 @@ function Bar({ node }: { node: LayoutNode }) {
       aria-current={selected}
       aria-hidden={first ? undefined : true}
       style={{ width: w, height: h }}
-      onPointerDown={(event) => {
-        beginDrag(event, { kind: "vertices", ids: [id], element: block?.shape.element ?? "" });
-      }}
+      onPointerDown={(event) => beginDrag(event, { kind: "vertices", ids: [id], element: block?.shape.element ?? "" })}
       onClick={(event) => {
         if (!justDragged()) selectVertex(id, event);
       }}

@@ -67,9 +67,7 @@ export const Vertex = memo(function Vertex({ node }: { node: LayoutNode }) {
       aria-label={spoken(node)}
       aria-current={selected}
       style={{ width: w, height: h }}
-      onPointerDown={(event) => {
-        dragVertices(event, id, block.shape.element);
-      }}
+      onPointerDown={(event) => dragVertices(event, id, block.shape.element)}
       onClick={(event) => {
         if (!justDragged()) selectVertex(id, event);
       }}

@@ -88,9 +88,7 @@ function ValueRow({ drawing, block, field }: { drawing: Drawing; block: Block; f
         className="inspector-small"
         aria-label={t("inspector.type-instead")}
         title={t("inspector.type-instead")}
-        onClick={() => {
-          runHere(deleteParts(program, parts, [filler.vertex.id]));
-        }}
+        onClick={() => runHere(deleteParts(program, parts, [filler.vertex.id]))}
       >
         <Icon name="x" />
       </button>
@@ -131,9 +129,7 @@ function SlotRow({ drawing, owner, plug, label, children }: SlotRowProps) {
           data-inspector-field=""
           data-testid={`choose-${owner.vertex.id}.${plug.name}`}
           value={filler?.shape.element ?? ""}
-          onChange={(event) => {
-            choose(event.target.value);
-          }}
+          onChange={(event) => choose(event.target.value)}
         >
           <option value="">{filler === null ? t("inspector.choose") : t("inspector.clear")}</option>
           {groupsOf(known, parts).map(([group, shapes]) => (

@@ -119,9 +119,7 @@ export function Palette() {
             placeholder={t("parts.find-example")}
             data-testid="part-find"
             value={query}
-            onChange={(event) => {
-              setQuery(event.target.value);
-            }}
+            onChange={(event) => setQuery(event.target.value)}
             onKeyDown={(event) => {
               if (event.key === "Escape") setQuery("");
               else if (event.key === "ArrowDown") go(items[0]);

@@ -132,9 +132,7 @@ function CustomBlockMore({ name }: { name: string }) {
       tabIndex={-1}
       aria-label={t("own.menu", { name })}
       title={t("own.menu", { name })}
-      onPointerDown={(event) => {
-        event.stopPropagation();
-      }}
+      onPointerDown={(event) => event.stopPropagation()}
       onClick={(event) => {
         event.stopPropagation();
         const box = event.currentTarget.getBoundingClientRect();
