@@ -25,7 +25,7 @@ import { useStage } from "../session/stage";
 import { keepTeamView, useTeam } from "../session/team-view";
 import { useView } from "../session/view";
 import { keepWorld } from "../session/world-files";
-import { endAll } from "../ui/effects";
+import { endAll, listen } from "../ui/effects";
 import { Banner } from "./Banner";
 import { begin } from "./beginning";
 import { FEATURES } from "./features";
@@ -76,12 +76,7 @@ function useDocumentFlow(): void {
     };
     // A browser may end a page that is not seen without a further word.
     const hide = () => void flush();
-    window.addEventListener("beforeunload", ask);
-    document.addEventListener("visibilitychange", hide);
-    return () => {
-      window.removeEventListener("beforeunload", ask);
-      document.removeEventListener("visibilitychange", hide);
-    };
+    return endAll(listen(window, { beforeunload: ask }), listen(document, { visibilitychange: hide }));
   }, []);
 }
 

@@ -17,6 +17,7 @@ import { useShown } from "../../session/simple-view";
 import { toggleText, useStage } from "../../session/stage";
 import { openWorldWith } from "../../session/world-view";
 import { useTheme } from "../../theme";
+import { endAll, listen } from "../../ui/effects";
 import { later } from "../../ui/later";
 import { Tool } from "../../ui/Tool";
 import { EmptyArena } from "./EmptyArena";
@@ -171,14 +172,14 @@ export function Arena() {
       const place = drawn.getBoundingClientRect();
       made.zoom(Math.exp(-event.deltaY * 0.0015), event.clientX - place.left, event.clientY - place.top);
     };
-    drawn.addEventListener("wheel", onWheel, { passive: false });
+    const endWheel = listen(drawn, { wheel: onWheel }, { passive: false });
     void document.fonts?.ready.then(() => made.paintSoon());
-    return () => {
-      watcher.disconnect();
-      offFrames();
-      drawn.removeEventListener("wheel", onWheel);
-      made.end();
-    };
+    return endAll(
+      () => watcher.disconnect(),
+      offFrames,
+      endWheel,
+      () => made.end(),
+    );
   }, []);
   useEffect(() => {
     if (scene !== null) painter?.setScene(scene, selected);

@@ -22,7 +22,7 @@ import { shapeOf } from "../../model/world/shape";
 import { type Kind, partsOfKind, sameThing, type Thing } from "../../model/world/thing";
 import { keyIn } from "../../session/key-table";
 import { keepMoved } from "../../session/world-edits";
-import { awaitAnswer } from "../../ui/effects";
+import { awaitAnswer, endAll, listen } from "../../ui/effects";
 import { ARENA_KEYS } from "./keys";
 import { announce } from "./robots";
 
@@ -157,19 +157,8 @@ export function Placing({ painter, canvas: place, selected }: PlacingProps) {
       event.preventDefault();
       event.stopPropagation();
     };
-    canvas.addEventListener("pointerdown", onDown);
-    canvas.addEventListener("pointermove", onMove);
-    canvas.addEventListener("pointerup", onUp);
-    canvas.addEventListener("pointercancel", onCancel);
-    canvas.addEventListener("keydown", onKey);
-    return () => {
-      onCancel();
-      canvas.removeEventListener("pointerdown", onDown);
-      canvas.removeEventListener("pointermove", onMove);
-      canvas.removeEventListener("pointerup", onUp);
-      canvas.removeEventListener("pointercancel", onCancel);
-      canvas.removeEventListener("keydown", onKey);
-    };
+    const listeners = { pointerdown: onDown, pointermove: onMove, pointerup: onUp, pointercancel: onCancel };
+    return endAll(onCancel, listen(canvas, { ...listeners, keydown: onKey }));
   }, [painter, place]);
   return (
     <div hidden={taken === null} data-testid="arena-placing" data-ready={plan !== null}>

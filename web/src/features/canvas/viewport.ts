@@ -7,6 +7,7 @@ import { boundsOf, type Box } from "../../model/layout";
 import { useStudio } from "../../model/studio";
 import { currentDrawing, type Drawing, nodeOf } from "../../session/drawing";
 import { restFollowing, setViewport, standsStill, useView } from "../../session/view";
+import { listen } from "../../ui/effects";
 import { type Camera, type CanvasCamera, createCamera, type Size, useCamera, zoomed } from "./camera";
 import { afterResize, homeOf, LEAST_READABLE, type Whole, wholeOf } from "./home";
 import { spotOfArc } from "./Lines";
@@ -190,10 +191,7 @@ export function useViewport(root: RefObject<HTMLDivElement | null>, drawing: Dra
       target.scrollTo({ left: 0, top: 0, behavior: "instant" });
       camera.pan(-scrollLeft, -scrollTop);
     };
-    canvas.addEventListener("scroll", pan, true);
-    return () => {
-      canvas.removeEventListener("scroll", pan, true);
-    };
+    return listen(canvas, { scroll: pan }, { capture: true });
   }, [camera, root]);
   useEffect(() => {
     const canvas = root.current;

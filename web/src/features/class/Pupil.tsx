@@ -8,6 +8,7 @@ import { Said } from "../../i18n/Said";
 import { type Key, t } from "../../i18n/words";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
+import { listen } from "../../ui/effects";
 import { type MenuEntry, menuItem } from "../../ui/menu-model";
 import { MenuButton } from "../../ui/MenuButton";
 import { dismissOffer, type Offer, useOffers } from "./pupil-offers";
@@ -56,10 +57,10 @@ function Held({ icon, title, help, children }: { icon: string; title: string; he
       event.preventDefault();
       event.stopPropagation();
     };
-    window.addEventListener("keydown", hold, true);
+    const endHolding = listen(window, { keydown: hold }, { capture: true });
     return () => {
       for (const one of all) one.inert = false;
-      window.removeEventListener("keydown", hold, true);
+      endHolding();
     };
   }, []);
   return createPortal(

@@ -17,6 +17,7 @@ import { reportError, shownName, whenReady } from "../../session/document";
 import { setComments, useOpenExercise } from "../../session/open-exercise";
 import { beginMission } from "../../session/open-requests";
 import { useRun } from "../../session/run";
+import { endAll, listen } from "../../ui/effects";
 import { readStored, writeStored } from "../../ui/stored";
 import { tellArena } from "./arena";
 import { type Memory, type Place, placeFor, readMemory, storageName } from "./hand-in-memory";
@@ -319,14 +320,9 @@ class PupilSync {
       () => useClassroom.getState().news?.looked === true,
       (arena) => this.#socket?.say({ type: "arena", arena }),
     );
-    const hide = () => void this.#handIn();
-    document.addEventListener("visibilitychange", hide);
+    const offHiding = listen(document, { visibilitychange: () => void this.#handIn() });
     return () => {
-      offStudio();
-      offRun();
-      offGoals();
-      offArena();
-      document.removeEventListener("visibilitychange", hide);
+      endAll(offStudio, offRun, offGoals, offArena, offHiding)();
       clearTimeout(this.#timer);
       clearTimeout(this.#reporting);
       this.#reporting = undefined;

@@ -13,7 +13,7 @@ import { spansInUnits } from "../../session/places";
 import { useActiveVertices } from "../../session/run";
 import { connectTyping, type Draft, setFocused, typeText, useTyping } from "../../session/typing";
 import { Icon } from "../../theme";
-import { endAll } from "../../ui/effects";
+import { endAll, listen } from "../../ui/effects";
 import { showMistakes } from "./mistakes";
 import { activeLines, vertexAt, vertexOfLine } from "./spans";
 
@@ -171,9 +171,7 @@ function watchGraph(): () => void {
     const vertex = part?.dataset["id"] ?? null;
     if (vertex !== usePointed.getState().vertex) usePointed.setState({ vertex });
   };
-  document.addEventListener("pointerover", onOver, { passive: true });
-  return () => {
-    document.removeEventListener("pointerover", onOver);
-    usePointed.setState({ vertex: null });
-  };
+  return endAll(listen(document, { pointerover: onOver }, { passive: true }), () =>
+    usePointed.setState({ vertex: null }),
+  );
 }

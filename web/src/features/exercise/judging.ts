@@ -16,6 +16,7 @@ import { setOpenLesson } from "../../session/lessons";
 import { remember, setGoals, useOpenExercise } from "../../session/open-exercise";
 import { openMissionOfLesson } from "../../session/open-requests";
 import { isLive, useRun } from "../../session/run";
+import { endAll, listen } from "../../ui/effects";
 import { type Mark, noMarks, pieces, withVerdicts } from "./marks";
 
 /** What the marks are of: nothing yet, one run, every run, or as far as judging came before it was stopped. */
@@ -219,15 +220,6 @@ export function keepExercise(): () => void {
     const goals = marks.map(({ state, why }) => ({ reached: state === "open" ? null : state === "reached", why }));
     setGoals(goals);
   });
-  const onFocus = () => void lookForExercises();
-  window.addEventListener("focus", onFocus);
-  return () => {
-    drop();
-    offStudio();
-    offRun();
-    offMarks();
-    offOpen();
-    setOpenLesson("exercise", null);
-    window.removeEventListener("focus", onFocus);
-  };
+  const offFocus = listen(window, { focus: () => void lookForExercises() });
+  return endAll(drop, offStudio, offRun, offMarks, offOpen, offFocus, () => setOpenLesson("exercise", null));
 }

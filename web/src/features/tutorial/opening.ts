@@ -13,6 +13,7 @@ import { useStudio } from "../../model/studio";
 import { reportError, show, useDocument } from "../../session/document";
 import { openMissionOfLesson } from "../../session/open-requests";
 import { loadFromDisk } from "../../session/opening";
+import { endAll, listen } from "../../ui/effects";
 import { begun, openTutorial, type Progress, rememberedProgress } from "./progress";
 import { enter, leave, movedTo, setTutorials, useTutorial } from "./state";
 
@@ -117,11 +118,5 @@ export function keepTutorials(): () => void {
     else if (state.change.kind === "save") movedTo(state.file.path);
   });
   // Whoever writes one looks at the page after saving its file.
-  const onFocus = () => void lookForTutorials();
-  window.addEventListener("focus", onFocus);
-  return () => {
-    offReady();
-    offStudio();
-    window.removeEventListener("focus", onFocus);
-  };
+  return endAll(offReady, offStudio, listen(window, { focus: () => void lookForTutorials() }));
 }

@@ -24,9 +24,10 @@ import { keyIn } from "../../session/key-table";
 import { called, change, duplicateChosen, nudge, put, removeChosen } from "../../session/world-edits";
 import { choose, chosenIn, putDown, setDraft, useWorld } from "../../session/world-view";
 import { Icon, useTheme } from "../../theme";
+import { endAll, listen } from "../../ui/effects";
 import { watchPinch } from "../../ui/pinch";
-import { Overlay } from "./Overlay";
 import { WORLD_KEYS } from "./keys";
+import { Overlay } from "./Overlay";
 
 const MARGIN_PX = 40;
 const REACH_PX = 8;
@@ -78,13 +79,13 @@ export function Stage() {
       const place = box.getBoundingClientRect();
       made.zoom(Math.exp(-event.deltaY * 0.0015), event.clientX - place.left, event.clientY - place.top);
     };
-    box.addEventListener("wheel", onWheel, { passive: false });
+    const endWheel = listen(box, { wheel: onWheel }, { passive: false });
     void document.fonts?.ready.then(() => made.paintSoon());
-    return () => {
-      watcher.disconnect();
-      box.removeEventListener("wheel", onWheel);
-      made.end();
-    };
+    return endAll(
+      () => watcher.disconnect(),
+      endWheel,
+      () => made.end(),
+    );
   }, []);
   useEffect(() => {
     if (scene !== null) painter?.setScene(scene, "");
