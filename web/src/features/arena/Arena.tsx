@@ -17,7 +17,7 @@ import { useShown } from "../../session/simple-view";
 import { toggleText, useStage } from "../../session/stage";
 import { openWorldWith } from "../../session/world-view";
 import { useTheme } from "../../theme";
-import { endAll, listen } from "../../ui/effects";
+import { endAll } from "../../ui/effects";
 import { later } from "../../ui/later";
 import { Tool } from "../../ui/Tool";
 import { EmptyArena } from "./EmptyArena";
@@ -161,24 +161,9 @@ export function Arena() {
       },
     );
     setPainter(made);
-    const watcher = new ResizeObserver(([entry]) => {
-      if (entry !== undefined) made.resize(entry.contentRect.width, entry.contentRect.height);
-    });
-    watcher.observe(box);
-    const offFrames = watchFrames(() => made.paintSoon());
-    // A wheel listener that may prevent scrolling cannot be passive, as React's are.
-    const onWheel = (event: WheelEvent) => {
-      event.preventDefault();
-      const place = drawn.getBoundingClientRect();
-      made.zoom(Math.exp(-event.deltaY * 0.0015), event.clientX - place.left, event.clientY - place.top);
-    };
-    const endWheel = listen(drawn, { wheel: onWheel }, { passive: false });
-    void document.fonts?.ready.then(() => made.paintSoon());
     return endAll(
-      () => watcher.disconnect(),
-      offFrames,
-      endWheel,
-      () => made.end(),
+      watchFrames(() => made.paintSoon()),
+      made.attachTo(box, drawn),
     );
   }, []);
   useEffect(() => {

@@ -100,8 +100,8 @@ export function Placing({ painter, canvas: place, selected }: PlacingProps) {
       setTaken(null);
       if (event.button !== 0 || world === null) return;
       if (painter.actorAt(px, py) !== null || painter.keyAt(px, py) !== null) return;
-      const [x, y] = toWorld(painter.view, px, py);
-      const thing = thingAt(world, x, y, REACH_PX / painter.view.scale, KINDS);
+      const [x, y] = toWorld(painter.camera, px, py);
+      const thing = thingAt(world, x, y, REACH_PX / painter.camera.scale, KINDS);
       if (thing === null) return;
       event.stopPropagation();
       canvas.setPointerCapture(event.pointerId);
@@ -114,7 +114,7 @@ export function Placing({ painter, canvas: place, selected }: PlacingProps) {
       if (drag.draft === null && Math.hypot(px - drag.px, py - drag.py) < CLICK_PX) return;
       const anchor = anchorOf(drag.began, drag.thing);
       if (anchor === null) return;
-      const [x, y] = toWorld(painter.view, px, py);
+      const [x, y] = toWorld(painter.camera, px, py);
       const wanted = { x: anchor.x + x - drag.x, y: anchor.y + y - drag.y };
       const to = event.altKey
         ? { x: Math.round(wanted.x), y: Math.round(wanted.y) }
@@ -169,11 +169,11 @@ export function Placing({ painter, canvas: place, selected }: PlacingProps) {
 
 /** Around the thing that is taken, wherever the view goes. */
 function Ring({ painter, world, thing }: { painter: Painter; world: OwnWorld; thing: Thing }) {
-  const [view, setView] = useState(painter.view);
+  const [view, setView] = useState(painter.camera);
   useEffect(() => {
     let request = 0;
     const follow = () => {
-      setView(painter.view);
+      setView(painter.camera);
       request = requestAnimationFrame(follow);
     };
     follow();
