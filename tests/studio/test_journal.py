@@ -53,7 +53,7 @@ def test_after_a_kill_a_page_goes_on_with_the_next_studio_and_its_work_is_there_
 
 
 @pytest.mark.thorough(
-    "the test above; a request with the token of the studio that is gone: web/src/api/again.test.ts; what is said: "
+    "the test above; a request with the token of the studio that is gone: web/src/api/reconnect.test.ts; what is said: "
     "web/src/app/Title.test.tsx and Banner.test.tsx"
 )
 def test_a_page_goes_on_with_the_studio_that_started_after_a_kill(
@@ -92,7 +92,7 @@ def test_a_page_goes_on_with_the_studio_that_started_after_a_kill(
     assert '<set name="duration">9</set>' in mission.read_text()
 
 
-@pytest.mark.thorough("web/src/api/again.test.ts; tests/server/test_journal.py, nobody watches without the token")
+@pytest.mark.thorough("web/src/api/reconnect.test.ts; tests/server/test_journal.py, nobody watches without the token")
 def test_another_studio_at_the_address_gets_nothing_of_a_page(
     start: Start, mission: Path, context: BrowserContext, tmp_path: Path
 ) -> None:

@@ -1,17 +1,18 @@
 /** Puts the studio on the page. */
-// First of all styles: each part's own rules are stronger.
 import "./theme/shared.css";
+import "./theme/styles";
 
 import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 
-import { inPage } from "./api/line";
 import { isJoining, token } from "./api/token";
+import { inPage } from "./api/transport";
 import { App, Journal } from "./app/App";
 import { installLanguage, useLanguage } from "./i18n/language";
 import { installTheme } from "./theme";
-import "./theme/styles";
 import { guardRemoving } from "./ui/second-click";
+
+// First of all styles: each part's own rules are stronger.
 
 const found = document.getElementById("root");
 if (found === null) throw new Error("index.html has no #root");

@@ -2,46 +2,23 @@
  * Requests to the class that this page belongs to: a server of its own, whichever Python answers what the page asks of its
  * mission. A pupil's key, or the teacher's, comes along (`token.ts`).
  */
-import { languageInUse, t } from "../i18n/words";
+import { t } from "../i18n/words";
 import type { Mission } from "../model/types";
-import { ApiError } from "./client";
+import { socketAddress } from "./address";
+import { ApiError, type Asked, refusal, request } from "./client";
 import type * as server from "./generated";
 import { type Silence, watchSilence } from "./silence";
-import { token } from "./token";
 
 /** What marks are written for. */
 export const GRADEBOOKS = ["moodle", "canvas", "sheet"] as const;
 export type Gradebook = (typeof GRADEBOOKS)[number];
 
-interface Asked {
-  method?: "GET" | "POST" | "PUT";
-  json?: unknown;
-}
+const unreached = () => new ApiError(t("class.offline"), t("class.offline-help"));
 
-async function answer(path: string, { method = "GET", json }: Asked = {}): Promise<Response> {
-  const headers: Record<string, string> = { "Accept-Language": languageInUse() };
-  if (token() !== "") headers["X-KitRobot-Token"] = token();
-  if (json !== undefined) headers["Content-Type"] = "application/json";
-  let response: Response;
-  try {
-    response = await fetch(`api/class${path}`, {
-      method,
-      headers,
-      body: json === undefined ? null : JSON.stringify(json),
-    });
-  } catch {
-    throw new ApiError(t("class.offline"), t("class.offline-help"));
-  }
-  if (response.ok) return response;
-  let said: { message?: unknown; help?: unknown } = {};
-  try {
-    said = (await response.json()) as typeof said;
-  } catch {
-    // Not our server's words.
-  }
-  const words = (value: unknown) => (typeof value === "string" ? value : "");
-  const message = words(said.message) || t("error.unexpected", { status: response.status });
-  throw new ApiError(message, words(said.help), response.status);
+async function answer(path: string, asked: Asked = {}): Promise<Response> {
+  const response = await request(`class${path}`, asked, (address, options) => fetch(address, options), unreached);
+  if (!response.ok) throw await refusal(response);
+  return response;
 }
 
 async function ask<T>(path: string, asked: Asked = {}): Promise<T> {
@@ -123,11 +100,7 @@ export function openClassSocket<Said, Heard extends { type: string }>(
   let over = false;
   let listening: Silence | undefined;
   const open = () => {
-    const address = new URL(`api/class/${path}`, window.location.href);
-    address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
-    address.search = `?language=${languageInUse()}&token=${encodeURIComponent(token())}`;
-    address.hash = "";
-    socket = new WebSocket(address);
+    socket = new WebSocket(socketAddress(`api/class/${path}`));
     const opened = socket;
     const silence = watchSilence(() => opened.readyState === WebSocket.OPEN && opened.send("?"), hears.onSilence);
     listening = silence;

@@ -6,10 +6,10 @@
  */
 import { languageInUse, t } from "../i18n/words";
 import type { Arc, Fragment, Mission, MissionFile, Problem, Report, SpanEntry, Vertex } from "../model/types";
-import { meetAgain } from "./again";
 import type * as server from "./generated";
-import { talk } from "./line";
+import { renewToken } from "./reconnect";
 import { token } from "./token";
+import { transport } from "./transport";
 
 /** What became of a typed text: its program, or null and why not; places count in the text that was sent. */
 export interface Followed extends server.Followed {
@@ -40,14 +40,18 @@ export class ApiError extends Error {
   }
 }
 
-interface Asked {
+export interface Asked {
   method?: "GET" | "POST" | "PUT";
   json?: unknown;
   bytes?: ArrayBuffer;
   signal?: AbortSignal;
 }
 
-async function refusal(response: Response): Promise<ApiError> {
+/** What a server says about a request that it refuses; where it says nothing, what `unsaid` makes of the status. */
+export async function refusal(
+  response: Response,
+  unsaid: (status: number) => ApiError | null = () => null,
+): Promise<ApiError> {
   let said: { message?: unknown; help?: unknown; revision?: unknown; problems?: Problem[] } = {};
   try {
     said = (await response.json()) as typeof said;
@@ -55,11 +59,15 @@ async function refusal(response: Response): Promise<ApiError> {
     // Not our server's words: the status is all there is to say.
   }
   const text = (value: unknown) => (typeof value === "string" ? value : "");
-  if (response.status === 401 || (response.status === 403 && text(said.message) === "")) {
-    return new ApiError(t("error.token"), t("error.token-help"), response.status);
-  }
+  const known = text(said.message) === "" || response.status === 401 ? unsaid(response.status) : null;
+  if (known !== null) return known;
   const message = text(said.message) || t("error.unexpected", { status: response.status });
   return new ApiError(message, text(said.help), response.status, text(said.revision), said.problems ?? []);
+}
+
+/** The studio does not know this page's token. */
+function unknownToken(status: number): ApiError | null {
+  return status === 401 || status === REFUSED ? new ApiError(t("error.token"), t("error.token-help"), status) : null;
 }
 
 /** One request; the answer is what the caller says it is. */
@@ -79,23 +87,31 @@ async function answer(address: string, asked: Asked): Promise<Response> {
   const mine = token();
   const response = await request(address, asked);
   if (response.ok) return response;
-  const told = refusal(response);
+  const told = refusal(response, unknownToken);
   if (response.status !== REFUSED) throw await told;
-  await meetAgain();
+  await renewToken();
   // Another request may have got the new token meanwhile.
   if (token() === mine) throw await told;
   const again = await request(address, asked);
-  if (!again.ok) throw await refusal(again);
+  if (!again.ok) throw await refusal(again, unknownToken);
   return again;
 }
 
-async function request(address: string, { method = "GET", json, bytes, signal }: Asked): Promise<Response> {
-  const headers: Record<string, string> = { "X-KitRobot-Token": token(), "Accept-Language": languageInUse() };
+const offline = () => new ApiError(t("error.offline"), t("error.offline-help"));
+
+/** Sends a request: to the studio, or `through` the network to another server, about which `unreached` speaks. */
+export async function request(
+  address: string,
+  { method = "GET", json, bytes, signal }: Asked,
+  through: (address: string, asked: RequestInit) => Promise<Response> = transport().fetch,
+  unreached = offline,
+): Promise<Response> {
+  const headers: Record<string, string> = { "Accept-Language": languageInUse() };
+  if (token() !== "") headers["X-KitRobot-Token"] = token();
   if (json !== undefined) headers["Content-Type"] = "application/json";
   if (bytes !== undefined) headers["Content-Type"] = "application/octet-stream";
-  let response: Response;
   try {
-    response = await talk().fetch(`api/${address}`, {
+    return await through(`api/${address}`, {
       method,
       headers,
       body: json === undefined ? (bytes ?? null) : JSON.stringify(json),
@@ -103,9 +119,8 @@ async function request(address: string, { method = "GET", json, bytes, signal }:
     });
   } catch (cause) {
     if (cause instanceof DOMException && cause.name === "AbortError") throw cause;
-    throw new ApiError(t("error.offline"), t("error.offline-help"));
+    throw unreached();
   }
-  return response;
 }
 
 /** The problems of a report that have a place in the LLL of a program. */

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
-import { talk, talkThrough } from "./line";
 import { openRunSocket, type RunSocket } from "./socket";
+import { setTransport, transport } from "./transport";
 
 /** The studio's end of a run's socket. */
 class OtherEnd extends EventTarget {
@@ -22,7 +22,7 @@ class OtherEnd extends EventTarget {
   }
 }
 
-const usual = talk();
+const usual = transport();
 let pictures: FrameRequestCallback[] = [];
 let end: OtherEnd;
 let heard: (number | string)[] = [];
@@ -40,7 +40,7 @@ function hide(hidden: boolean): void {
 beforeEach(() => {
   [heard, pictures, end] = [[], [], new OtherEnd()];
   vi.stubGlobal("requestAnimationFrame", (picture: FrameRequestCallback) => pictures.push(picture));
-  talkThrough({ ...usual, socket: () => end as unknown as WebSocket });
+  setTransport({ ...usual, socket: () => end as unknown as WebSocket });
   hand = openRunSocket({
     onOpen: () => undefined,
     onMessage: (message) => {
@@ -55,7 +55,7 @@ beforeEach(() => {
 
 afterEach(() => {
   hide(false);
-  talkThrough(usual);
+  setTransport(usual);
   vi.unstubAllGlobals();
 });
 

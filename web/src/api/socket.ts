@@ -7,13 +7,9 @@
  */
 import { t } from "../i18n/words";
 import { socketAddress } from "./address";
-import { talk } from "./line";
+import type { Failure } from "./refusal";
+import { transport } from "./transport";
 import { decodeFrames, type PoseFrame, type RunMessage, type RunRequest } from "./wire";
-
-export interface Failure {
-  message: string;
-  help: string;
-}
 
 export interface RunSocket {
   send: (request: RunRequest) => void;
@@ -53,7 +49,7 @@ function collectForPicture() {
 }
 
 export function openRunSocket(listener: Listener): RunSocket {
-  const socket = talk().socket(socketAddress("api/run"));
+  const socket = transport().socket(socketAddress("api/run"));
   socket.binaryType = "arraybuffer";
   let ours = false;
   const news = collectForPicture();

@@ -2,13 +2,13 @@
  * The socket that is open as long as the page is: it gives the page its name and tells what changes on disk.
  *
  * When the connection is lost it is sought again, since nothing that it carried is gone: the page has it all. A studio that
- * started anew meanwhile is known by its proof (again.ts).
+ * started anew meanwhile is known by its proof (reconnect.ts).
  */
-import { type Met, meetAgain } from "./again";
 import type { HelloMessage, HereMessage, NewsMessage } from "./generated";
-import { inPage, talk } from "./line";
+import { type Met, renewToken } from "./reconnect";
 import { type Silence, watchSilence } from "./silence";
 import { token } from "./token";
+import { inPage, transport } from "./transport";
 
 /** What is on disk and who else has the mission open; the page keeps it without the name of the message. */
 export type News = Omit<NewsMessage, "type">;
@@ -43,7 +43,7 @@ export function openWatch({ onHello, onNews, onLost, onSilence, onReturn, onStra
     address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
     address.search = `?token=${encodeURIComponent(given)}`;
     address.hash = "";
-    const opened = talk().socket(address);
+    const opened = transport().socket(address);
     socket = opened;
     // Python in the page is busy with a run, and says so itself.
     silence = inPage() ? null : watchSilence(() => opened.readyState === WebSocket.OPEN && opened.send("?"), onSilence);
@@ -74,7 +74,7 @@ export function openWatch({ onHello, onNews, onLost, onSilence, onReturn, onStra
     });
   };
   const seek = () => {
-    void meetAgain().then((met) => {
+    void renewToken().then((met) => {
       if (over) return;
       // Who is no studio of this folder does not take the old token; a page through a tunnel is let in by it.
       if (met === "nobody") timer = setTimeout(seek, AGAIN_MS);

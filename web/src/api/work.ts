@@ -1,6 +1,6 @@
 /** Work that takes long, over a socket of its own: begun by a request, broken off by another, over with its last message. */
 import { socketAddress } from "./address";
-import { talk } from "./line";
+import { transport } from "./transport";
 
 export interface Work {
   /** Asks the server to break it off; false where it has not even begun. */
@@ -15,7 +15,7 @@ export function beginWork<Message>(
   request: object,
   { onMessage, onLost }: { onMessage: (message: Message) => boolean; onLost: () => void },
 ): Work {
-  const socket = talk().socket(socketAddress(path));
+  const socket = transport().socket(socketAddress(path));
   let over = false;
   const hangUp = () => {
     over = true;

@@ -3,7 +3,7 @@ import { t } from "../i18n/words";
 import { robotKinds } from "../model/robot-kinds";
 import { useStudio } from "../model/studio";
 import { addProgramFor } from "../session/actions";
-import { complain } from "../session/document";
+import { reportError } from "../session/document";
 import { useShown } from "../session/simple-view";
 import { Icon } from "../theme";
 import { type MenuEntry, menuItem } from "../ui/menu-model";
@@ -17,7 +17,7 @@ export function robotEntries(robots: Parameters<typeof robotKinds>[0]): MenuEntr
 /** A program of the whole team; where there is one, of a group. */
 function teamEntry(social: boolean): MenuEntry {
   const add = (what: "startTeam" | "addGroupProgram") => () => {
-    import("../session/first-team").then((team) => team[what]()).catch(complain);
+    import("../session/first-team").then((team) => team[what]()).catch(reportError);
   };
   return social
     ? menuItem("add-group-program", t("first-team.group"), null, add("addGroupProgram"))

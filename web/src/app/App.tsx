@@ -3,6 +3,11 @@
  *
  * Sizes of panels are in `session/layout.ts`. Features do not depend on where they are placed.
  */
+import "./chrome.css";
+import "./layout.css";
+import "../ui/menus.css";
+import "./tabs.css";
+
 import { type CSSProperties, type DragEvent, useEffect } from "react";
 
 import { Dock, PanelSlot, Slot } from "../components/Slot";
@@ -13,16 +18,16 @@ import { hearOfDisk, watchDisk } from "../session/disk";
 import { useDocument } from "../session/document";
 import { hasEarlyWork } from "../session/early-work";
 import { flush, isKept, keepJournal } from "../session/journal";
-import { complainOfJournal, sayReturned, sayStranger, sayWhenBack } from "../session/journal-notices";
+import { reportJournalFault, sayReturned, sayStranger, sayWhenBack } from "../session/journal-notices";
 import { useLayout } from "../session/layout";
-import { useNarrow } from "../session/narrow";
+import { useMobileRoom } from "../session/narrow";
 import { useStage } from "../session/stage";
 import { keepTeamView, useTeam } from "../session/team-view";
 import { useView } from "../session/view";
 import { keepWorld } from "../session/world-files";
+import { endAll, listen } from "../ui/effects";
 import { Banner } from "./Banner";
 import { begin } from "./beginning";
-import { Brand } from "./Brand";
 import { FEATURES } from "./features";
 import { useKeys } from "./keys";
 import { MenuBar } from "./MenuBar";
@@ -31,10 +36,6 @@ import { Separator } from "./Separator";
 import { Tabs } from "./Tabs";
 import { Title } from "./Title";
 import { TeamStop, Toolbar } from "./Toolbar";
-import "./chrome.css";
-import "./layout.css";
-import "../ui/menus.css";
-import "./tabs.css";
 
 let begun = false;
 
@@ -46,27 +47,15 @@ export function Journal() {
       checkAgain();
     };
     const offBack = sayWhenBack();
-    const stop = keepJournal(complainOfJournal, hearOfDisk, undefined, { onReturn, onStranger: sayStranger });
-    return () => {
-      offBack();
-      stop();
-    };
+    const stop = keepJournal(reportJournalFault, hearOfDisk, undefined, { onReturn, onStranger: sayStranger });
+    return endAll(offBack, stop);
   }, []);
   return null;
 }
 
 /** Opens the first mission once, and keeps the report fresh while the page is there. */
 function useDocumentFlow(): void {
-  useEffect(() => {
-    const offDisk = watchDisk();
-    const offWorld = keepWorld();
-    const offTeam = keepTeamView();
-    return () => {
-      offWorld();
-      offTeam();
-      offDisk();
-    };
-  }, []);
+  useEffect(() => endAll(watchDisk(), keepWorld(), keepTeamView()), []);
   useEffect(() => {
     if (!begun) {
       begun = true;
@@ -79,12 +68,7 @@ function useDocumentFlow(): void {
   useEffect(() => {
     if (!opening && document.activeElement === document.body) useView.getState().viewport?.focus();
   }, [opening]);
-  useEffect(() => {
-    const ends = FEATURES.flatMap(({ start }) => start?.() ?? []);
-    return () => {
-      for (const end of ends) end();
-    };
-  }, []);
+  useEffect(() => endAll(...FEATURES.flatMap(({ start }) => start?.() ?? [])), []);
   useEffect(() => {
     const ask = (event: BeforeUnloadEvent) => {
       if (useStudio.getState().dirty && !isKept() && !hasEarlyWork()) event.preventDefault();
@@ -92,12 +76,7 @@ function useDocumentFlow(): void {
     };
     // A browser may end a page that is not seen without a further word.
     const hide = () => void flush();
-    window.addEventListener("beforeunload", ask);
-    document.addEventListener("visibilitychange", hide);
-    return () => {
-      window.removeEventListener("beforeunload", ask);
-      document.removeEventListener("visibilitychange", hide);
-    };
+    return endAll(listen(window, { beforeunload: ask }), listen(document, { visibilitychange: hide }));
   }, []);
 }
 
@@ -171,7 +150,7 @@ function Studio() {
   const ready = useDocument((document) => document.ready) || ahead;
   const opening = useDocument((document) => document.opening) || ahead;
   const covered = useDocument((document) => document.overlay === "new");
-  const room = useNarrow((narrow) => narrow.room);
+  const room = useMobileRoom((narrow) => narrow.room);
   const team = useTeam((state) => state.open || state.world);
   const { large, beside } = useStage();
   const side = beside || !(folded.inspector && folded.code && folded.arena);
@@ -255,5 +234,16 @@ export function App() {
       <Studio />
       <Slot name="after-page" />
     </>
+  );
+}
+
+/** The sign of the studio: a way from one point to another. */
+function Brand() {
+  return (
+    <svg className="brand rigid" width="16" height="16" viewBox="0 0 16 16" aria-hidden="true">
+      <path d="M3 12.5C3 7 7 3.5 12.5 3.5" fill="none" stroke="currentColor" strokeWidth="2" strokeLinecap="round" />
+      <circle cx="3" cy="13" r="2" fill="currentColor" />
+      <circle cx="13" cy="3.5" r="2" fill="currentColor" />
+    </svg>
   );
 }

@@ -1,7 +1,7 @@
 /** The message across the page: a question that was asked for has the focus, and Escape is none of its answers. */
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
-import { ask, dismissBanner, question } from "../session/document";
+import { dismissBanner, focusQuestion, question } from "../session/document";
 import { useLink } from "../session/journal";
 import { handsOn } from "../testing/hands";
 import { mount, type Mounted } from "../testing/hooks";
@@ -28,7 +28,7 @@ afterEach(() => {
 });
 
 it("a question before something goes on has the focus; Escape closes it, and the focus goes back", () => {
-  page.act(() => ask("Unsaved.", [["banner.save", saved]], "Kept."));
+  page.act(() => focusQuestion("Unsaved.", [["banner.save", saved]], "Kept."));
   expect(banner()?.textContent).toContain("Unsaved. Kept.");
   expect(document.activeElement).toBe(buttons()[0]);
   page.act(() => buttons()[0]?.dispatchEvent(new KeyboardEvent("keydown", { key: "Escape", bubbles: true })));

@@ -1,15 +1,15 @@
 /** One message across the page: a failure or a question, with what can be done about it. Nothing waits for it. */
 import { useEffect, useRef } from "react";
 
-import { inPage } from "../api/line";
+import { inPage } from "../api/transport";
 import { Said } from "../i18n/Said";
 import { t } from "../i18n/words";
 import { type Banner as Notice, dismissBanner, useDocument } from "../session/document";
 import { isCutOff, useLink } from "../session/journal";
 import { useRun } from "../session/run";
 import { Icon } from "../theme";
-import { Button } from "../ui/Button";
 import { borrowFocus } from "../ui/borrow-focus";
+import { Button } from "../ui/Button";
 import { Tool } from "../ui/Tool";
 
 function Strip({ said, onClose }: { said: Notice; onClose: () => void }) {

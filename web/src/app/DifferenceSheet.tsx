@@ -3,11 +3,12 @@ import { useCallback, useRef, useState } from "react";
 
 import type { Conflicted, Merged } from "../api/generated";
 import { journalApi } from "../api/journal";
+import { whyRefused } from "../api/refusal";
 import { Said } from "../i18n/Said";
 import { t } from "../i18n/words";
 import { useStudio } from "../model/studio";
 import type { Mission } from "../model/types";
-import { closeOverlay, complain, dismissBanner, question, show } from "../session/document";
+import { closeOverlay, dismissBanner, question, reportError, show } from "../session/document";
 import { commonBase, keepMerge, revisionMerged } from "../session/merges";
 import { type PartDifference, partDifference } from "../session/saving";
 import { Button } from "../ui/Button";
@@ -89,7 +90,7 @@ function MissionDifference() {
     const { file, mission } = useStudio.getState();
     return journalApi.difference(file.path, mission).then((found) => found.changes);
   }, []);
-  const changes = useFetched(ask, (cause) => [cause instanceof Error ? cause.message : String(cause)]);
+  const changes = useFetched(ask, (cause) => [whyRefused(cause).message]);
   const [merging, setMerging] = useState<{ asked: Asked; merged: Merged; waits: boolean } | null>(null);
   /** Which request is the last one: an answer to an earlier choice is too late. */
   const last = useRef(0);
@@ -100,7 +101,7 @@ function MissionDifference() {
       if (number !== last.current) return;
       if (first && merged.conflicts.length === 0) apply(merged, asked);
       else setMerging({ asked, merged, waits: false });
-    }, complain);
+    }, reportError);
   };
 
   if (merging !== null) {

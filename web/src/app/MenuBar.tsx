@@ -3,6 +3,7 @@ import { type KeyboardEvent, useEffect, useRef, useState } from "react";
 
 import { mirrored } from "../i18n/language";
 import { t } from "../i18n/words";
+import { listen } from "../ui/effects";
 import { useFolding } from "../ui/folding";
 import { Menu } from "../ui/Menu";
 import { menuInCommon, type MenuPart } from "../ui/menu-model";
@@ -24,16 +25,7 @@ function useLoneAlt(callback: () => void): void {
     const spoiled = () => {
       alone = false;
     };
-    window.addEventListener("keydown", down);
-    window.addEventListener("keyup", up);
-    window.addEventListener("pointerdown", spoiled);
-    window.addEventListener("blur", spoiled);
-    return () => {
-      window.removeEventListener("keydown", down);
-      window.removeEventListener("keyup", up);
-      window.removeEventListener("pointerdown", spoiled);
-      window.removeEventListener("blur", spoiled);
-    };
+    return listen(window, { keydown: down, keyup: up, pointerdown: spoiled, blur: spoiled });
   }, [callback]);
 }
 
@@ -81,8 +73,7 @@ export function MenuBar({ menus: all }: { menus: MenuPart[] }) {
       if (event.target instanceof Node && bar.current?.contains(event.target) === true) return;
       setOpen(-1);
     };
-    document.addEventListener("pointerdown", outside, true);
-    return () => document.removeEventListener("pointerdown", outside, true);
+    return listen(document, { pointerdown: outside }, { capture: true });
   }, [open]);
 
   const onTitleKey = (event: KeyboardEvent, index: number) => {

@@ -5,6 +5,7 @@ import { createPortal } from "react-dom";
 import { t } from "../i18n/words";
 import { useStudio } from "../model/studio";
 import { closeTeam } from "../session/team-view";
+import { listen } from "../ui/effects";
 
 interface ProgramListProps {
   /** From the edge where a line begins, and from the top, px of the window: the list stands there, or as near as it fits. */
@@ -38,8 +39,7 @@ function Open({ at, onLeave, onClose }: ProgramListProps) {
       if (event.target instanceof Node && root.current?.contains(event.target) === true) return;
       onLeave();
     };
-    document.addEventListener("pointerdown", outside, true);
-    return () => document.removeEventListener("pointerdown", outside, true);
+    return listen(document, { pointerdown: outside }, { capture: true });
   }, [onLeave]);
   useEffect(() => {
     list.current?.querySelector('[aria-selected="true"]')?.scrollIntoView({ block: "nearest" });

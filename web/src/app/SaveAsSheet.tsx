@@ -1,7 +1,7 @@
 /** A name for the mission; a name that is taken is said under the field, with the choice to replace. */
 import { type FormEvent, useState } from "react";
 
-import { ApiError } from "../api/client";
+import { type Failure, whyRefused } from "../api/refusal";
 import { t } from "../i18n/words";
 import { useStudio } from "../model/studio";
 import { asMissionPath, closeOverlay, fileName, show, useDocument } from "../session/document";
@@ -11,10 +11,8 @@ import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 
-interface Refusal {
+interface Refusal extends Failure {
   path: string;
-  message: string;
-  help: string;
   /** The revision that would be replaced, where the name is taken. */
   taken: string | null;
 }
@@ -36,8 +34,7 @@ export function SaveAsSheet() {
         setRefusal({ path, message, help: "", taken: answer.taken });
       }
     } catch (cause) {
-      const [message, help] = cause instanceof ApiError ? [cause.message, cause.help] : [String(cause), ""];
-      setRefusal({ path, message, help, taken: null });
+      setRefusal({ ...whyRefused(cause), path, taken: null });
     }
   };
   const onSubmit = (event: FormEvent) => {

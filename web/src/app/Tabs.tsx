@@ -12,13 +12,13 @@ import { StateShape } from "../components/StateShape";
 import { mirrored } from "../i18n/language";
 import { t } from "../i18n/words";
 import { renameProgram } from "../model/commands/changePrograms";
-import { useStudio } from "../model/studio";
+import { execute, useStudio } from "../model/studio";
 import { TEAM_ROBOT } from "../model/team-robot";
 import { typedName } from "../model/typed-name";
 import { removeProgramNamed } from "../session/actions";
-import { complain } from "../session/document";
+import { useHasCounterexample } from "../session/counterexample";
+import { reportError } from "../session/document";
 import type { FeatureTab } from "../session/features";
-import { useIsGuilty } from "../session/guilty";
 import { isLive, type RunState, useRun, watchedAgent } from "../session/run";
 import { useShownNames } from "../session/simple-view";
 import { closeTeam, useTeam } from "../session/team-view";
@@ -32,19 +32,19 @@ import { renameInTab, useRenaming } from "./renaming";
 
 const TABS = FEATURES.flatMap(({ tab }) => tab ?? []);
 
-const ProgramList = later(() => import("./ProgramList").then((chunk) => chunk.ProgramList), complain);
+const ProgramList = later(() => import("./ProgramList").then((chunk) => chunk.ProgramList), reportError);
 
 /** Lies over its tab: a list of tabs holds nothing but tabs. */
 function NameField({ name }: { name: string }) {
   const [text, setText] = useState(name);
   const [left] = useState(() => document.getElementById(`tab-${name}`)?.offsetLeft ?? 0);
   const stop = () => renameInTab(null);
-  const { mission, catalogue, execute } = useStudio.getState();
+  const { mission, catalogue } = useStudio.getState();
   const wanted = typedName(text);
   const command = wanted === name ? null : renameProgram(mission, name, wanted, catalogue);
   const refused = command === null && wanted !== name;
   const keep = () => {
-    if (command !== null) execute(command);
+    execute(command);
     stop();
   };
   // Back to where the name was asked for.
@@ -115,7 +115,7 @@ function Tab({ name, onKey }: TabProps & { name: string }) {
     studio.report?.problems.some((one) => one.program === name && one.severity === "error"),
   );
   const state = useRun((run) => stateShown(run, name));
-  const guilty = useIsGuilty(name);
+  const guilty = useHasCounterexample(name);
   return (
     <button
       type="button"

@@ -1,10 +1,10 @@
 /** What is open when the page begins: the work of this tab before, what the command line named, or what the folder has. */
-import { rememberSecret } from "../api/again";
 import { api } from "../api/client";
 import type { Session } from "../api/generated";
 import { journalApi } from "../api/journal";
+import { rememberSecret } from "../api/reconnect";
 import { traceApi } from "../api/traces";
-import { complain, show, startSession } from "../session/document";
+import { reportError, show, startSession } from "../session/document";
 import { journalBefore, keepsJournal } from "../session/journal";
 import { holdUntil, offerLeft } from "../session/open-requests";
 import { take, takeLeft } from "../session/opening";
@@ -41,7 +41,7 @@ async function openFirst(): Promise<void> {
     if (back) return;
     if (keepsJournal()) offerLeft(await journalApi.left());
   } catch (cause) {
-    complain(cause, () => void begin());
+    reportError(cause, () => void begin());
   }
 }
 
@@ -81,6 +81,6 @@ async function beginWith(path: string): Promise<void> {
     }
   } catch (cause) {
     await take(await api.newMission());
-    complain(cause);
+    reportError(cause);
   }
 }

@@ -5,6 +5,7 @@ import { useEffect } from "react";
 
 import { show, useDocument } from "../session/document";
 import { chordOf } from "../session/key-table";
+import { listen } from "../ui/effects";
 import { FEATURES } from "./features";
 
 const PAGE_KEYS = FEATURES.flatMap(({ keys }) => Object.values(keys ?? {}));
@@ -35,7 +36,6 @@ export function useKeys(): void {
       event.preventDefault();
       meaning();
     };
-    window.addEventListener("keydown", onKeyDown);
-    return () => window.removeEventListener("keydown", onKeyDown);
+    return listen(window, { keydown: onKeyDown });
   }, []);
 }

@@ -1,9 +1,9 @@
 /** What the page has without any feature: its mission, its programs and its look. A feature as the others are. */
-import { useLanguage } from "../i18n/language";
-import { type Key, type Language, languageInUse, LANGUAGES, t } from "../i18n/words";
+import { api } from "../api/client";
+import { t } from "../i18n/words";
 import { type StudioState, useStudio } from "../model/studio";
 import { goToProgram, moveActiveProgram, removeProgramNamed } from "../session/actions";
-import { complain, show } from "../session/document";
+import { fileName, reportError, show } from "../session/document";
 import type { Feature } from "../session/features";
 import { keyFor } from "../session/key-table";
 import { type Panel, useLayout } from "../session/layout";
@@ -11,10 +11,11 @@ import type { MenuEntries } from "../session/menu-table";
 import { save } from "../session/saving";
 import { chooseSimple, tellNeed, useNeed, useSimpleView } from "../session/simple-view";
 import { type ThemeChoice, useTheme } from "../theme";
+import { download } from "../ui/download";
 import { later } from "../ui/later";
-import { type MenuEntry, menuItem } from "../ui/menu-model";
+import { languageEntries, SPOKEN, themeEntries, THEMES } from "../ui/look-entries";
+import { menuCheck, type MenuEntry, menuItem } from "../ui/menu-model";
 import { robotEntries } from "./AddProgram";
-import { downloadMission, downloadProgram } from "./downloads";
 import { KEYS } from "./page-keys";
 import { renameInTab } from "./renaming";
 import type * as sheetsModule from "./Sheets";
@@ -49,8 +50,6 @@ function historyEntries({ undo, redo, canUndo, canRedo, undoLabel, redoLabel }: 
   };
 }
 
-const THEMES: ThemeChoice[] = ["light", "dark", "contrast", "system"];
-const SPOKEN = Object.keys(LANGUAGES) as Language[];
 const PANELS: Panel[] = ["palette", "inspector", "code", "arena"];
 
 const WORDS: Feature["words"] = {
@@ -63,29 +62,13 @@ const WORDS: Feature["words"] = {
 function lookEntries(choice: ThemeChoice, folded: Record<Panel, boolean>): MenuEntry[] {
   return [
     { kind: "heading", id: "view-theme", label: t("view.theme") },
-    ...THEMES.map((theme): MenuEntry => ({
-      kind: "radio",
-      id: `view-${theme}`,
-      label: t(`view.${theme}` as Key),
-      checked: choice === theme,
-      run: () => useTheme.getState().choose(theme),
-    })),
+    ...themeEntries(choice),
     { kind: "heading", id: "view-language", label: t("view.language") },
-    ...SPOKEN.map((language): MenuEntry => ({
-      kind: "radio",
-      id: `view-${language}`,
-      label: LANGUAGES[language].name,
-      checked: languageInUse() === language,
-      run: () => void useLanguage.getState().choose(language),
-    })),
+    ...languageEntries(),
     { kind: "heading", id: "view-panels", label: t("view.panels") },
-    ...PANELS.map((panel): MenuEntry => ({
-      kind: "check",
-      id: `view-${panel}`,
-      label: t(`view.${panel}`),
-      checked: !folded[panel],
-      run: () => useLayout.getState().toggle(panel),
-    })),
+    ...PANELS.map((panel) =>
+      menuCheck(`view-${panel}`, t(`view.${panel}`), !folded[panel], () => useLayout.getState().toggle(panel)),
+    ),
   ];
 }
 
@@ -155,7 +138,7 @@ const inSheets = <Name extends keyof typeof sheetsModule>(name: Name, typing = f
     () => import("./Sheets").then((chunk) => chunk[name]),
     (cause) => {
       show(null);
-      complain(cause);
+      reportError(cause);
     },
     { typing },
   );
@@ -183,3 +166,19 @@ export const page: Feature = {
     difference: inSheets("DifferenceSheet"),
   },
 };
+
+/** The open mission and a program of it as files for the person to keep. */
+async function downloadMission(): Promise<void> {
+  try {
+    const { text } = await api.missionText(useStudio.getState().mission);
+    download(fileName(), text, "application/xml");
+  } catch (cause) {
+    reportError(cause);
+  }
+}
+
+function downloadProgram(): void {
+  const { activeProgram, report } = useStudio.getState();
+  const found = report?.programs.find((program) => program.name === activeProgram);
+  if (found !== undefined) download(`${activeProgram}.lll`, found.lll, "text/plain");
+}

@@ -3,10 +3,10 @@ import { type ReactNode, useEffect, useRef, useState } from "react";
 
 import { ask } from "../api/client";
 import type { RunPreview } from "../api/generated";
-import { complain } from "../session/document";
+import { reportError } from "../session/document";
 import { later } from "../ui/later";
 
-const RunPicture = later(() => import("./RunPicture").then((chunk) => chunk.RunPicture), complain, { words: false });
+const RunPicture = later(() => import("./RunPicture").then((chunk) => chunk.RunPicture), reportError, { words: false });
 
 /** Previews that were fetched, by the mission as it was then. */
 const known = new Map<string, Promise<RunPreview>>();

@@ -1,11 +1,12 @@
 /** Why the server did not do some work: the sentence, the first errors of the mission, and the way to all of them. */
+import "./refused.css";
+
+import type { WhyRefused } from "../api/refusal";
 import { Said } from "../i18n/Said";
 import { t } from "../i18n/words";
 import { openDock } from "../session/dock";
 import { PROBLEMS } from "../session/problem-walk";
 import { Button } from "../ui/Button";
-import type { WhyRefused } from "./why-refused";
-import "./refused.css";
 
 const SHOWN_PROBLEMS = 3;
 

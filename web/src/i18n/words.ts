@@ -87,6 +87,11 @@ export function t(key: Key, holes: Holes = {}): string {
   return form.replace(/\{(\w+)\}/g, (hole, name: string) => String(holes[name] ?? hole));
 }
 
+/** "a, b and c" in the language of the page. */
+export function listed(words: readonly string[]): string {
+  return new Intl.ListFormat(languageInUse()).format(words);
+}
+
 /** A diagnostic's words begin small, since a terminal prints them after a place; a page begins its sentences large. */
 export function sentence(text: string): string {
   return text.charAt(0).toUpperCase() + text.slice(1);

@@ -20,8 +20,15 @@ export interface Command {
 }
 
 /** The command that leads to `after`. */
-export function becomes(label: string, after: Mission, more: Pick<Command, "selects" | "joins"> = {}): Command {
+export function commandTo(label: string, after: Mission, more: Pick<Command, "selects" | "joins"> = {}): Command {
   return { label, execute: () => after, ...more };
+}
+
+/** The mission with these parts, of which it says nothing where they are empty or null; others stay the same objects. */
+export function withOptional(mission: Mission, parts: Partial<Mission>): Mission {
+  const isEmpty = (value: unknown) => value == null || (Array.isArray(value) && value.length === 0);
+  const all = Object.entries({ ...mission, ...parts });
+  return Object.fromEntries(all.filter(([name, value]) => !(name in parts && isEmpty(value)))) as unknown as Mission;
 }
 
 function withProgram(mission: Mission, name: string, program: Program): Mission {

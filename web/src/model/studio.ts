@@ -199,9 +199,7 @@ export const useStudio = create<StudioState>((set, get) => {
       set({ activeProgram: name, selection: [] });
     },
 
-    setReport: (report) => {
-      set({ report });
-    },
+    setReport: (report) => set({ report }),
 
     markSaved: (path, revision, name, saving) => {
       const { mission, history } = get();
@@ -212,13 +210,9 @@ export const useStudio = create<StudioState>((set, get) => {
       });
     },
 
-    loadParts: (files) => {
-      set({ files, catalogue: catalogueOf(files, get().mission) });
-    },
+    loadParts: (files) => set({ files, catalogue: catalogueOf(files, get().mission) }),
 
-    loadWorld: (worldOf, world) => {
-      set({ worldOf, world });
-    },
+    loadWorld: (worldOf, world) => set({ worldOf, world }),
   };
 });
 

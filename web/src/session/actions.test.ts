@@ -1,10 +1,11 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
 
 import { emptyProgram } from "../model/commands/changePrograms";
+import { freeName } from "../model/free-name";
 import { fileOf } from "../model/testing/missions";
-import type { Mission, World } from "../model/types";
 import { useStudio } from "../model/studio";
-import { addProgramFor, freeName, nextSpeed, programWithAgent, run } from "./actions";
+import type { Mission, World } from "../model/types";
+import { addProgramFor, nextSpeed, programWithAgent, run } from "./actions";
 import { useDocument } from "./document";
 import { useRun } from "./run";
 

@@ -1,9 +1,9 @@
 /** Actions on the run and on programs, shared by menus, toolbar and keys. */
 import { t } from "../i18n/words";
-import { becomes, type Command } from "../model/command";
-import { addProgram, emptyProgram, removeProgram } from "../model/commands/changePrograms";
-import { moveProgram } from "../model/commands/moveProgram";
-import { useStudio } from "../model/studio";
+import { type Command, commandTo } from "../model/command";
+import { addProgram, emptyProgram, moveProgram, removeProgram } from "../model/commands/changePrograms";
+import { freeName } from "../model/free-name";
+import { execute, useStudio } from "../model/studio";
 import type { Mission, Program, World } from "../model/types";
 import { dismissBanner, note, useDocument, whenReady } from "./document";
 import { isLive, useRun, watchedAgent } from "./run";
@@ -43,14 +43,6 @@ export function stepVertex(back: boolean): void {
   state.step("vertex", back, watchedAgent(state, activeProgram)?.name ?? "");
 }
 
-/** `stem-1`, `stem-2`, …: the first that is not taken. */
-export function freeName(stem: string, taken: readonly string[]): string {
-  for (let number = 1; ; number++) {
-    const name = `${stem}-${String(number)}`;
-    if (!taken.includes(name)) return name;
-  }
-}
-
 /** The first start of the world that no agent uses. */
 export function freeStart(mission: Mission, world: World | null): string | null {
   const taken = mission.agents.flatMap((agent) => [agent.name, agent.start === "" ? agent.name : agent.start]);
@@ -66,7 +58,7 @@ export function programWithAgent(mission: Mission, program: Program, world: Worl
   if (inner === null || start === null) return inner;
   const agent = { name: start, program: program.name, start: "" };
   const after = inner.execute(mission);
-  return becomes(inner.label, { ...after, agents: [...after.agents, agent] });
+  return commandTo(inner.label, { ...after, agents: [...after.agents, agent] });
 }
 
 export function addProgramFor(robot: string): void {
@@ -76,11 +68,10 @@ export function addProgramFor(robot: string): void {
 
 /** Adds a program and shows it; whether it has a robot that runs it. Where the world has no place for one, says who could. */
 export function addProgramWithAgent(program: Program): boolean {
-  const { mission, world, execute, setActiveProgram, activeProgram } = useStudio.getState();
+  const { mission, world, setActiveProgram, activeProgram } = useStudio.getState();
   const { name } = program;
   const command = programWithAgent(mission, program, world);
-  if (command === null) return false;
-  execute(command);
+  if (!execute(command)) return false;
   setActiveProgram(name);
   if (useStudio.getState().mission.agents.some((agent) => agent.program === name)) return true;
   const choice = (label: string, act: () => void) => ({
@@ -104,16 +95,13 @@ export function addProgramWithAgent(program: Program): boolean {
 /** An agent runs another program from now on. */
 async function letRun(agent: string, program: string): Promise<void> {
   const { giveProgram } = await import("../model/commands/changeAgents");
-  const { mission, execute } = useStudio.getState();
+  const { mission } = useStudio.getState();
   const at = mission.agents.findIndex((one) => one.name === agent);
-  const command = giveProgram(mission, at, program);
-  if (command !== null) execute(command);
+  execute(giveProgram(mission, at, program));
 }
 
 export function removeProgramNamed(name: string): void {
-  const { mission, execute } = useStudio.getState();
-  const command = removeProgram(mission, name);
-  if (command !== null) execute(command);
+  execute(removeProgram(useStudio.getState().mission, name));
 }
 
 /** Speeds that the menu and the keys step through; 0 is as fast as it goes. */
@@ -143,9 +131,8 @@ export function goToProgram(by: 1 | -1): void {
 
 /** Moves the open program's tab one place on. */
 export function moveActiveProgram(by: 1 | -1): void {
-  const { mission, activeProgram, execute } = useStudio.getState();
-  const command = moveProgram(mission, activeProgram, by);
-  if (command !== null) execute(command);
+  const { mission, activeProgram } = useStudio.getState();
+  execute(moveProgram(mission, activeProgram, by));
 }
 
 /** Brings a vertex into view: its program's tab, then the vertex itself. */

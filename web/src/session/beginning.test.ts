@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
 import type { StartedMessage } from "../api/generated";
-import { talk, talkThrough } from "../api/line";
+import { setTransport, transport } from "../api/transport";
 import { useStudio } from "../model/studio";
 import type { Breakpoint } from "../model/types";
 import { followBreakpoints } from "./breakpoints";
@@ -60,14 +60,14 @@ class OtherEnd extends EventTarget {
   }
 }
 
-const usual = talk();
+const usual = transport();
 let ends: OtherEnd[] = [];
 let off = (): void => undefined;
 
 beforeEach(() => {
   ends = [];
   vi.stubGlobal("requestAnimationFrame", (picture: FrameRequestCallback) => picture(0));
-  talkThrough({
+  setTransport({
     ...usual,
     socket: () => {
       const end = new OtherEnd();
@@ -83,7 +83,7 @@ beforeEach(() => {
 afterEach(() => {
   off();
   useRun.getState().reset();
-  talkThrough(usual);
+  setTransport(usual);
   vi.unstubAllGlobals();
 });
 

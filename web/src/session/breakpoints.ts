@@ -6,11 +6,12 @@
 import { breakpointAt, removeBreakpoint, setBreakpoint } from "../model/commands/changeBreakpoints";
 import type { LayoutNode } from "../model/layout";
 import { isMark } from "../model/parts";
-import { useStudio } from "../model/studio";
+import { execute, useStudio } from "../model/studio";
 import { findSpot, inChain } from "../model/tree";
 import type { Breakpoint } from "../model/types";
-import { nodeOf, currentDrawing, type Drawing } from "./drawing";
-import { isThere, useRun } from "./run";
+import { endAll } from "../ui/effects";
+import { currentDrawing, type Drawing, nodeOf } from "./drawing";
+import { isQueryable, useRun } from "./run";
 
 /** The vertex whose instruction holds that one: a condition's is what waits for it. Null for start and stop. */
 export function instructionOf(drawing: Drawing, id: string): string | null {
@@ -36,34 +37,28 @@ export function toggleBreakpoints(): boolean {
   const has = (id: string) => breakpointAt(useStudio.getState().mission, program, id) !== undefined;
   const all = ids.every(has);
   for (const vertex of ids) {
-    const { mission, execute } = useStudio.getState();
-    const command = all
-      ? removeBreakpoint(mission, program, vertex)
-      : has(vertex)
-        ? null
-        : setBreakpoint(drawing.parts, mission, { program, vertex });
-    if (command !== null) execute(command);
+    const { mission } = useStudio.getState();
+    if (all) execute(removeBreakpoint(mission, program, vertex));
+    else if (!has(vertex)) execute(setBreakpoint(drawing.parts, mission, { program, vertex }));
   }
   return true;
 }
 
 /** Sends changed breakpoints to the run, and shows where it pauses; the returned function ends that. */
 export function followBreakpoints(reveal: (program: string, vertices: string[]) => void): () => void {
-  const offStudio = useStudio.subscribe(({ mission }, before) => {
-    const [now, then] = [mission.breakpoints ?? NONE, before.mission.breakpoints ?? NONE];
-    const run = useRun.getState();
-    if (now !== then && (run.status === "connecting" || isThere(run))) run.pauseAt(now);
-  });
-  const offRun = useRun.subscribe(({ hits, selectAgent }, before) => {
-    const [hit] = hits;
-    if (hit === undefined || hits === before.hits) return;
-    selectAgent(hit.agent, hit.program);
-    reveal(hit.program, [hit.vertex]);
-  });
-  return () => {
-    offStudio();
-    offRun();
-  };
+  return endAll(
+    useStudio.subscribe(({ mission }, before) => {
+      const [now, then] = [mission.breakpoints ?? NONE, before.mission.breakpoints ?? NONE];
+      const run = useRun.getState();
+      if (now !== then && (run.status === "connecting" || isQueryable(run))) run.pauseAt(now);
+    }),
+    useRun.subscribe(({ hits, selectAgent }, before) => {
+      const [hit] = hits;
+      if (hit === undefined || hits === before.hits) return;
+      selectAgent(hit.agent, hit.program);
+      reveal(hit.program, [hit.vertex]);
+    }),
+  );
 }
 
 const NONE: Breakpoint[] = [];

@@ -12,7 +12,7 @@ import { type Language, languageInUse } from "../i18n/words";
 import { useStudio } from "../model/studio";
 import type { Mission, Report } from "../model/types";
 import { acceptReport, forgetReport, isChecked } from "./checked";
-import { complain, dismissBanner, useDocument } from "./document";
+import { dismissBanner, reportError, useDocument } from "./document";
 
 /** A question that takes longer than this is called off when there is a newer one. */
 const PATIENCE_MS = 3000;
@@ -86,7 +86,7 @@ export function keepChecking(): () => void {
     },
     fail: (cause) => {
       complained = true;
-      complain(cause, () => request(useStudio.getState().mission, useStudio.getState().file.path));
+      reportError(cause, () => request(useStudio.getState().mission, useStudio.getState().file.path));
     },
   });
   let timer: ReturnType<typeof setTimeout> | undefined;

@@ -4,7 +4,7 @@ import { create } from "zustand";
 import { removeConstructor, usesOfConstructor } from "../model/commands/changeOwn";
 import { OWN_GROUP, ownConstructors } from "../model/own";
 import type { Shape } from "../model/parts";
-import { useStudio } from "../model/studio";
+import { execute, useStudio } from "../model/studio";
 import { currentDrawing } from "./drawing";
 
 export type OwnSheet =
@@ -58,11 +58,10 @@ export function openEdit(name: string): void {
 
 /** Deletes a part that is not used; asks what becomes of its vertices otherwise. */
 export function openDelete(name: string): void {
-  const { mission, execute } = useStudio.getState();
+  const { mission } = useStudio.getState();
   if (!isThere(name)) return;
-  const command = usesOfConstructor(mission, name).length === 0 ? removeConstructor(mission, name) : null;
-  if (command !== null) execute(command);
-  useOwn.setState({ sheet: command === null ? { kind: "delete", name } : null, menu: null });
+  const isGone = usesOfConstructor(mission, name).length === 0 && execute(removeConstructor(mission, name));
+  useOwn.setState({ sheet: isGone ? null : { kind: "delete", name }, menu: null });
 }
 
 /** Opens the menu of a part at a place of the window. */

@@ -8,6 +8,7 @@ import { create } from "zustand";
 import type { News } from "../api/watch";
 import { t } from "../i18n/words";
 import { useStudio } from "../model/studio";
+import { endAll } from "../ui/effects";
 import { fileName, question, useDocument } from "./document";
 import { loadFromDisk } from "./opening";
 import { showDifference } from "./saving";
@@ -72,8 +73,5 @@ export function watchDisk(): () => void {
   const offDocument = useDocument.subscribe((state, before) => {
     if (state.banner === null && before.banner !== null) offer();
   });
-  return () => {
-    offStudio();
-    offDocument();
-  };
+  return endAll(offStudio, offDocument);
 }

@@ -5,9 +5,10 @@
  */
 import { create } from "zustand";
 
-import { ApiError } from "../api/client";
 import type { Session } from "../api/generated";
+import { whyRefused } from "../api/refusal";
 import { type Key, sentence, t } from "../i18n/words";
+import { firstFree } from "../model/free-name";
 import { useStudio } from "../model/studio";
 import { typedName } from "../model/typed-name";
 import type { Problem } from "../model/types";
@@ -131,10 +132,9 @@ function placed({ line, message }: Problem): string {
 }
 
 /** Says that something failed, with a way to try again where there is one. */
-export function complain(cause: unknown, again?: () => void): void {
-  const message = cause instanceof Error ? cause.message : String(cause);
-  const help =
-    cause instanceof ApiError ? [...cause.problems.slice(0, 1).map(placed), cause.help].join(" ").trim() : "";
+export function reportError(cause: unknown, again?: () => void): void {
+  const { message, help: way, problems } = whyRefused(cause);
+  const help = [...problems.slice(0, 1).map(placed), way].join(" ").trim();
   const actions = again === undefined ? [] : [{ label: t("banner.retry"), run: again }];
   set({ banner: { kind: "error", message, help, actions } });
 }
@@ -152,7 +152,7 @@ export function question(message: string, choices: [Key, () => void][], kind: Ba
 }
 
 /** Asks before something goes on that the user has just begun: the first answer has the focus, and Escape is none. */
-export function ask(message: string, choices: [Key, () => void][], help = "") {
+export function focusQuestion(message: string, choices: [Key, () => void][], help = "") {
   question(message, choices, "question", help);
   set(({ banner }) => ({ banner: banner && { ...banner, takesFocus: true } }));
 }
@@ -167,9 +167,10 @@ export function asMissionPath(text: string): string {
 export function freeMissionName(typed: string, taken: readonly string[]): string {
   const stem = asMissionPath(typed).replace(/\.krt$/i, "");
   const used = new Set(taken.map((name) => name.toLowerCase()));
-  let name = stem;
-  for (let number = 2; used.has(`${name}.krt`.toLowerCase()); number++) name = `${stem}-${String(number)}`;
-  return name;
+  return firstFree(
+    (number) => (number === 1 ? stem : `${stem}-${String(number)}`),
+    (name) => used.has(`${name}.krt`.toLowerCase()),
+  );
 }
 
 /** A file's name without its folders. */

@@ -8,7 +8,7 @@ import { shiftParts } from "../model/commands/shiftParts";
 import { stretchOf, unwrapPart, wrapParts, wraps } from "../model/commands/wrapParts";
 import { waitingFor } from "../model/parts";
 import { placeFor } from "../model/placeFor";
-import { useStudio } from "../model/studio";
+import { execute, useStudio } from "../model/studio";
 import { findSpot, inChain, type Place } from "../model/tree";
 import { currentDrawing, type Drawing } from "./drawing";
 import { sayOnCanvas, useView } from "./view";
@@ -16,10 +16,7 @@ import { sayOnCanvas, useView } from "./view";
 /** Does the command that `make` finds for the program in view; says whether there was one. */
 export function edit(make: (drawing: Drawing) => Command | null): boolean {
   const drawing = currentDrawing();
-  const command = drawing === null ? null : make(drawing);
-  if (command === null) return false;
-  useStudio.getState().execute(command);
-  return true;
+  return execute(drawing === null ? null : make(drawing));
 }
 
 /** Puts a part where the selection says. */

@@ -1,12 +1,13 @@
 /** Starts programs of a team: the first one of the whole team, which the server makes of what the robots do now. */
 import { ask } from "../api/client";
 import { moreWords, t } from "../i18n/words";
-import { becomes } from "../model/command";
+import { commandTo } from "../model/command";
 import { addProgram, emptyProgram } from "../model/commands/changePrograms";
-import { useStudio } from "../model/studio";
+import { firstFree } from "../model/free-name";
+import { execute, useStudio } from "../model/studio";
 import { TEAM_ROBOT } from "../model/team-robot";
 import type { Mission } from "../model/types";
-import { complain } from "./document";
+import { reportError } from "./document";
 import { closeTeam, showSide } from "./team-view";
 
 /** Makes the program of the whole team and opens it; the robots run it from now on. */
@@ -16,29 +17,25 @@ export async function startTeam(): Promise<void> {
   try {
     const json = { mission, path: file.path, name: t("first-team.name") };
     const after = await ask<Mission>("mission/team", { method: "POST", json });
-    const { mission: now, execute, setActiveProgram } = useStudio.getState();
+    const { mission: now, setActiveProgram } = useStudio.getState();
     // What was edited meanwhile is worth more than an answer about what was there before.
     if (now !== mission) return;
-    execute(becomes(t("command.first-team"), { ...mission, ...after }));
+    execute(commandTo(t("command.first-team"), { ...mission, ...after }));
     const made = after.programs.find((one) => mission.programs.every(({ name }) => name !== one.name));
     if (made !== undefined) setActiveProgram(made.name);
     closeTeam();
     showSide("team");
   } catch (cause) {
-    complain(cause, () => void startTeam());
+    reportError(cause, () => void startTeam());
   }
 }
 
 /** An empty program of a group, which the program of the whole team can name. */
 export async function addGroupProgram(): Promise<void> {
   await moreWords();
-  const { mission, execute, setActiveProgram } = useStudio.getState();
+  const { mission, setActiveProgram } = useStudio.getState();
   const stem = t("first-team.group-name");
-  const taken = mission.programs.map((one) => one.name);
-  let name = stem;
-  for (let number = 2; taken.includes(name); number++) name = `${stem}-${String(number)}`;
-  const command = addProgram(mission, emptyProgram(name, TEAM_ROBOT, "group"));
-  if (command === null) return;
-  execute(command);
-  setActiveProgram(name);
+  const isTaken = (name: string) => mission.programs.some((one) => one.name === name);
+  const name = firstFree((number) => (number === 1 ? stem : `${stem}-${String(number)}`), isTaken);
+  if (execute(addProgram(mission, emptyProgram(name, TEAM_ROBOT, "group")))) setActiveProgram(name);
 }

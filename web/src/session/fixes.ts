@@ -10,7 +10,7 @@ import { insertPart } from "../model/commands/insertPart";
 import { setField } from "../model/commands/setField";
 import { unwrapPart } from "../model/commands/wrapParts";
 import { partsOf } from "../model/parts";
-import { useStudio } from "../model/studio";
+import { execute, useStudio } from "../model/studio";
 import type { Problem, Program, Vertex } from "../model/types";
 import { exactStretchesIn } from "./places";
 import { typeText, useTyping } from "./typing";
@@ -78,8 +78,5 @@ export function applyFix(problem: Problem): boolean {
     typeText(problem.program, text, { text: draft.text, spans: draft.spans });
     return true;
   }
-  const command = fixOf(problem);
-  if (command === null) return false;
-  useStudio.getState().execute(command);
-  return true;
+  return execute(fixOf(problem));
 }

@@ -13,9 +13,7 @@ interface FoldState {
 
 export const useFolded = create<FoldState>((set, get) => ({
   folded: new Map(),
-  set: (program, ids) => {
-    set({ folded: new Map([...get().folded, [program, ids]]) });
-  },
+  set: (program, ids) => set({ folded: new Map([...get().folded, [program, ids]]) }),
   unfoldAll: () => set({ folded: new Map() }),
 }));
 

@@ -1,13 +1,14 @@
 /** Notices about the journal: it fails, the studio came back, or another server answers at its address. */
 import { ApiError } from "../api/client";
+import { failureWords } from "../api/refusal";
 import { type Key, t } from "../i18n/words";
 import { dismissBanner, question, useDocument } from "./document";
 import { isCutOff, isKept, useLink } from "./journal";
 import { save } from "./saving";
 
 /** Says that changes are in no journal at the moment: what is not saved would be lost with the page. */
-export function complainOfJournal(cause: unknown, again: () => void): void {
-  const why = cause instanceof ApiError ? [cause.message, cause.help] : [];
+export function reportJournalFault(cause: unknown, again: () => void): void {
+  const why = cause instanceof ApiError ? [failureWords(cause)] : [];
   const choices: [Key, () => void][] = [
     ["banner.save", () => void save()],
     ["banner.retry", again],

@@ -1,13 +1,9 @@
 /** What is said of a meeting at which members of a team wait for others. */
 import type { Meeting } from "../api/generated";
-import { languageInUse, t } from "../i18n/words";
+import { listed, t } from "../i18n/words";
 
 /** More names than this are counted. */
 const NAMED = 3;
-
-function listed(names: readonly string[]): string {
-  return new Intl.ListFormat(languageInUse()).format(names);
-}
 
 /** How many of how many are there, and who is missing. */
 export function meetingSaid({ here_count, count, missing }: Meeting): string {

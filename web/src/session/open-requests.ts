@@ -8,7 +8,7 @@ import { traceApi } from "../api/traces";
 import { type Key, t } from "../i18n/words";
 import { useStudio } from "../model/studio";
 import type { MissionFile } from "../model/types";
-import { asMissionPath, complain, fileName, ask, question, shownName, useDocument } from "./document";
+import { asMissionPath, fileName, focusQuestion, question, reportError, shownName, useDocument } from "./document";
 import { flush, isKept } from "./journal";
 import { openLesson, useLessons } from "./lessons";
 import { bringMission, bringRecording, takeLeft, whileOpening } from "./opening";
@@ -40,7 +40,7 @@ function unlessUnsaved(go: () => Promise<boolean>, path = ""): void {
   const name = fileName();
   // The same file again: its unsaved changes are to be discarded.
   const again = path !== "" && path === file.path;
-  ask(
+  focusQuestion(
     t("banner.unsaved", { name }),
     [
       ["banner.save", () => void save().then((saved) => saved && go())],
@@ -55,7 +55,7 @@ function unlessUnsaved(go: () => Promise<boolean>, path = ""): void {
 async function leave(go: () => Promise<boolean>, name: string, says = true): Promise<void> {
   await flush();
   if (!isKept()) {
-    ask(t("journal.not-kept", { name }), [
+    focusQuestion(t("journal.not-kept", { name }), [
       ["banner.save", () => void save().then((saved) => saved && go())],
       ["journal.discard", () => void go()],
       ["banner.cancel", () => undefined],
@@ -71,9 +71,9 @@ export function openLeft(journal: string): void {
   unlessUnsaved(async () => {
     try {
       if (await takeLeft(journal)) return true;
-      complain(new ApiError(t("journal.gone")));
+      reportError(new ApiError(t("journal.gone")));
     } catch (cause) {
-      complain(cause);
+      reportError(cause);
     }
     return false;
   });
@@ -84,7 +84,7 @@ export function offerLeft(left: readonly Left[]): void {
   const first = left.find(({ path, problem }) => path === "" && problem === "");
   const said = first ?? left.find(({ problem }) => problem !== "");
   if (said === undefined || useDocument.getState().banner !== null) return;
-  const discard = () => void journalApi.forget(said.journal).then(offerLeft, complain);
+  const discard = () => void journalApi.forget(said.journal).then(offerLeft, reportError);
   if (first === undefined) {
     const choices: [Key, () => void][] = [
       ["journal.later", () => undefined],

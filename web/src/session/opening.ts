@@ -8,18 +8,18 @@ import { type History, isUnsaved } from "../model/history";
 import { useStudio } from "../model/studio";
 import type { MissionFile } from "../model/types";
 import {
-  complain,
   drawnAhead,
   drawnMissionOpened,
   fileName,
   missionOpened,
   question,
+  reportError,
   setOpening,
   useDocument,
 } from "./document";
 import { earlyWorkOn } from "./early-work";
 import { claim, keepOpen, openWith } from "./journal";
-import { type Recovered, recover } from "./journal-records";
+import { recover, type Recovered } from "./journal-records";
 import { begin as play } from "./recordings";
 import { useRun } from "./run";
 import { holdParts } from "./world-files";
@@ -135,7 +135,7 @@ function bring<T>(get: () => Promise<T>, open: (found: T) => Promise<void>): Pro
       .then(
         () => true,
         (cause: unknown) => {
-          complain(cause);
+          reportError(cause);
           return false;
         },
       ),

@@ -2,7 +2,6 @@
  * Places as the server counts them (whole characters, lines and columns from 1) and as the page does (UTF-16 units from 0).
  */
 import type { Problem, SpanEntry } from "../model/types";
-import { PAIRS, unitsOf } from "../model/units";
 
 export function spansInUnits<Span extends SpanEntry>(spans: readonly Span[], text: string): readonly Span[] {
   if (text.search(PAIRS) < 0) return spans;
@@ -42,4 +41,15 @@ export function stretchesIn(text: string): (problem: Problem) => Stretch {
       ? { from: from - 1, to: from }
       : { from, to: Math.min(from + 1, text.length) };
   };
+}
+
+/** Characters as the server counts them (whole ones) and as the page does (UTF-16 units). */
+const PAIRS = /[\ud800-\udbff][\udc00-\udfff]/g;
+
+/** From whole characters to units, for one text. */
+function unitsOf(text: string): (characters: number) => number {
+  const pairs: number[] = [];
+  for (const match of text.matchAll(PAIRS)) pairs.push(match.index - pairs.length);
+  if (pairs.length === 0) return (characters) => characters;
+  return (characters) => characters + pairs.filter((at) => at < characters).length;
 }

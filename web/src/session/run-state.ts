@@ -1,6 +1,6 @@
 /** What the page knows of a run, and what can be asked of it. */
 import type { FleetRequest, RobotsRequest, StartRequest, TeamNow } from "../api/generated";
-import type { Failure } from "../api/socket";
+import type { Failure } from "../api/refusal";
 import type { Ability, AgentReport, Harm, Hit, RunEvent, StartedAgent } from "../api/wire";
 import type { Breakpoint, Mission, Problem, World } from "../model/types";
 
@@ -81,7 +81,7 @@ export interface RunState {
   force: (agent: string, sensor: string, value: number | null) => void;
   setVariable: (agent: string, variable: string, value: number) => void;
   /** Lets a robot fail, stall or lose its radio, or makes it well again. */
-  harm: (agent: string, kind: Harm) => void;
+  injectFault: (agent: string, kind: Harm) => void;
   /** These are the breakpoints of the run from now on. */
   pauseAt: (breakpoints: Breakpoint[]) => void;
   setSpeed: (speed: number) => void;

@@ -82,7 +82,7 @@ function eventsAfter(before: RunEvent[], { again, events }: { again: boolean; ev
 }
 
 /** Whether these are real robots: nobody knows where they are, and no seed began their run. */
-export function areReal(agents: readonly StartedAgent[]): boolean {
+export function isHardwareRun(agents: readonly StartedAgent[]): boolean {
   return agents.length > 0 && agents.every(({ placed }) => !placed);
 }
 
@@ -96,14 +96,14 @@ export function applyMessage(state: RunState, message: RunMessage): Partial<RunS
         name: String(message.run),
         abilities: message.abilities,
         recording: message.recording,
-        real: !message.recording && areReal(message.agents),
+        real: !message.recording && isHardwareRun(message.agents),
         isFleet: message.fleet,
         watching: message.watching,
         another: message.another,
         failRate: message.fail_rate,
         status: "running",
         tickMs: message.tick_ms,
-        seed: areReal(message.agents) ? state.seed : message.seed,
+        seed: isHardwareRun(message.agents) ? state.seed : message.seed,
         world: message.world,
         stock: message.stock,
         total: message.total,
@@ -162,13 +162,13 @@ export function canGoBack(status: RunStatus): boolean {
 }
 
 /** Whether the run is there to be asked: real robots that were stopped may be started again in it. */
-export function isThere({ status, real }: Pick<RunState, "status" | "real">): boolean {
+export function isQueryable({ status, real }: Pick<RunState, "status" | "real">): boolean {
   return canGoBack(status) || (real && status === "stopped");
 }
 
 /** Whether that can be done to the run now. */
 export function can(ability: Ability, state: RunState): boolean {
-  return state.abilities.includes(ability) && isThere(state);
+  return state.abilities.includes(ability) && isQueryable(state);
 }
 
 /** Whether it stands at its end. */
@@ -290,18 +290,10 @@ export const useRun = create<RunState>((set, get) => ({
   seek: (tick) => {
     if (can("seek", get())) seeks.ask(Math.round(tick));
   },
-  force: (agent, sensor, value) => {
-    steer({ type: "force", agent, sensor, value });
-  },
-  pauseAt: (breakpoints) => {
-    steer({ type: "breakpoints", breakpoints });
-  },
-  setVariable: (agent, variable, value) => {
-    steer({ type: "set", agent, variable, value });
-  },
-  harm: (agent, kind) => {
-    steer({ type: "harm", agent, kind });
-  },
+  force: (agent, sensor, value) => steer({ type: "force", agent, sensor, value }),
+  pauseAt: (breakpoints) => steer({ type: "breakpoints", breakpoints }),
+  setVariable: (agent, variable, value) => steer({ type: "set", agent, variable, value }),
+  injectFault: (agent, kind) => steer({ type: "harm", agent, kind }),
   setSpeed: (speed) => {
     set({ speed });
     if (isLive(get().status)) steer({ type: "speed", value: speed });

@@ -6,9 +6,9 @@ import type { Saved } from "../api/generated";
 import { t } from "../i18n/words";
 import { useStudio } from "../model/studio";
 import type { Mission } from "../model/types";
-import { complain, fileName, missionSaved, question, setSaving, show, whenReady } from "./document";
-import { loadFromDisk } from "./opening";
+import { fileName, missionSaved, question, reportError, setSaving, show, whenReady } from "./document";
 import { revisionMerged } from "./merges";
+import { loadFromDisk } from "./opening";
 import { isFromRecording } from "./recordings";
 
 /** A file of parts, and what is different in it from the one of its name, in words. */
@@ -82,7 +82,7 @@ async function writeNow(path: string, revision: string): Promise<boolean> {
     if (cause instanceof ApiError && cause.status === 409 && path === useStudio.getState().file.path) {
       conflict(path, cause.revision);
     } else {
-      complain(cause);
+      reportError(cause);
     }
     return false;
   } finally {

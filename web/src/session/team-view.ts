@@ -55,29 +55,25 @@ const CODES =
 export function teamPlace(problem: Problem, mission: Mission): Wanted | null {
   if (problem.program !== "" || !CODES.test(problem.code)) return null;
   if (problem.code === "mission-no-world") return { what: "world", at: 0 };
-  const names = (name: string) => problem.message.includes(`\`${name}\``);
-  if (problem.code === "mission-failure") {
-    return {
-      what: "failure",
-      at: Math.max(mission.failures?.findIndex((failure) => names(failure.agent)) ?? 0, 0),
-    };
-  }
-  if (problem.code === "mission-no-storehouse" || problem.code.endsWith("-goal")) {
-    return {
-      what: "goal",
-      at: Math.max(
-        mission.goals.findIndex((goal) => names(goal.storehouse)),
-        0,
-      ),
-    };
-  }
-  return {
-    what: "agent",
-    at: Math.max(
-      mission.agents.findIndex((agent) => names(agent.name)),
-      0,
-    ),
+  const found = (what: Wanted["what"], names: string[]): Wanted => {
+    const at = names.findIndex((name) => problem.message.includes(`\`${name}\``));
+    return { what, at: Math.max(at, 0) };
   };
+  const { failures = [], goals, agents } = mission;
+  if (problem.code === "mission-failure")
+    return found(
+      "failure",
+      failures.map(({ agent }) => agent),
+    );
+  if (problem.code === "mission-no-storehouse" || problem.code.endsWith("-goal"))
+    return found(
+      "goal",
+      goals.map(({ storehouse }) => storehouse),
+    );
+  return found(
+    "agent",
+    agents.map(({ name }) => name),
+  );
 }
 
 /** Follows the document; the returned function ends that. */

@@ -9,7 +9,8 @@
  */
 import { create } from "zustand";
 
-import { ApiError, type Followed } from "../api/client";
+import type { Followed } from "../api/client";
+import { failureWords } from "../api/refusal";
 import { t } from "../i18n/words";
 import { replaceProgram } from "../model/command";
 import { useStudio } from "../model/studio";
@@ -90,7 +91,7 @@ async function follow(name: string): Promise<void> {
   try {
     take(name, draft, await ask(mission, file.path, name, draft.text), mission);
   } catch (cause) {
-    const failure = cause instanceof ApiError ? `${cause.message} ${cause.help}`.trim() : String(cause);
+    const failure = failureWords(cause);
     const now = useTyping.getState().drafts[name];
     if (now?.text === draft.text) put(name, { ...now, right: false, waiting: false, problems: [], failure });
   }

@@ -8,13 +8,13 @@ import { create } from "zustand";
 
 import { ApiError } from "../api/client";
 import { partsApi, type WantedVariable } from "../api/parts";
-import { languageInUse, t } from "../i18n/words";
+import { listed, t } from "../i18n/words";
 import { addVariable, changeVariable, removeVariable, renamedIn, usesOfVariable } from "../model/commands/changeOwn";
 import { ownVariables } from "../model/own";
-import { programInView, useStudio } from "../model/studio";
+import { execute, programInView, useStudio } from "../model/studio";
 import type { RobotObject } from "../model/types";
 import { reveal as revealVertices } from "./actions";
-import { complain, dismissBanner, note, putBanner } from "./document";
+import { dismissBanner, note, putBanner, reportError } from "./document";
 import { useLayout } from "./layout";
 import { openRoom } from "./narrow";
 import { reveal } from "./reveal";
@@ -97,7 +97,7 @@ async function tellWhere({ robot, name }: Named): Promise<void> {
   try {
     await partsApi.variable(file.path, ownVariables(mission), wantedLike(robot, found, name));
   } catch (cause) {
-    if (!(cause instanceof ApiError) || cause.status !== 422) return complain(cause);
+    if (!(cause instanceof ApiError) || cause.status !== 422) return reportError(cause);
     note(cause.message, cause.help);
   }
 }
@@ -111,7 +111,7 @@ export function wantedLike(robot: string, one: RobotObject, name: string): Wante
 export async function keepVariable(wanted: WantedVariable): Promise<void> {
   const { file, mission: asked } = useStudio.getState();
   const made = await partsApi.variable(file.path, ownVariables(asked), wanted);
-  const { mission, execute } = useStudio.getState();
+  const { mission } = useStudio.getState();
   const { robot, was } = wanted;
   const { name } = made.variable;
   const command = was === "" ? addVariable(mission, made) : changeVariable(mission, robot, was, made);
@@ -137,15 +137,10 @@ export function takeAway(of: Named): void {
   const { robot, name } = of;
   set({ menu: null });
   if (ownVariable(of) === undefined) return void tellWhere(of);
-  const remove = () => {
-    const { mission, execute } = useStudio.getState();
-    const command = removeVariable(mission, robot, name);
-    if (command !== null) execute(command);
-  };
+  const remove = () => void execute(removeVariable(useStudio.getState().mission, robot, name));
   const uses = usesOfVariable(useStudio.getState().mission, robot, name);
   if (uses.length === 0) return remove();
   const words = uses.map(({ program, vertices }) => t("variable.used-in", { program, count: vertices.length }));
-  const places = new Intl.ListFormat(languageInUse()).format(words);
   const shows = uses.slice(0, 3).map(({ program, vertices }) => ({
     label: t("variable.show-in", { program }),
     run: () => revealVertices(program, vertices),
@@ -156,7 +151,7 @@ export function takeAway(of: Named): void {
   };
   putBanner({
     kind: "question",
-    message: t("variable.used", { name, places }),
+    message: t("variable.used", { name, places: listed(words) }),
     help: t("variable.used-help"),
     actions: [
       ...shows,
@@ -164,18 +159,4 @@ export function takeAway(of: Named): void {
       { label: t("variable.keep-it"), run: dismissBanner },
     ],
   });
-}
-
-/** What a key means on a variable's row of the palette; false when it means nothing there. */
-export function variableKey(
-  event: { key: string; shiftKey: boolean },
-  of: Named,
-  at: () => DOMRect | undefined,
-): boolean {
-  const box = event.key === "ContextMenu" || (event.key === "F10" && event.shiftKey) ? at() : undefined;
-  if (event.key === "F2") renameVariable(of);
-  else if (event.key === "Delete" || event.key === "Backspace") takeAway(of);
-  else if (box !== undefined) set({ menu: { ...of, x: box.left + 24, y: box.bottom } });
-  else return false;
-  return true;
 }

@@ -77,9 +77,7 @@ export const useView = create<ViewState>((set) => ({
     set({ arc });
     if (arc !== null) useStudio.getState().select([]);
   },
-  setAdding: (adding) => {
-    set({ adding });
-  },
+  setAdding: (adding) => set({ adding }),
 }));
 
 /** Says what was tried and could not be done; "" for nothing. */

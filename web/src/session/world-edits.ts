@@ -1,10 +1,12 @@
 /** What people do to the world with keys, buttons and menus; each is one command of the document. */
 import { partsApi } from "../api/parts";
+import { whyRefused } from "../api/refusal";
 import { t } from "../i18n/words";
 import type { Command } from "../model/command";
 import { bringWorld, changeOwnWorld, isFreeName, isNamed, removeThings } from "../model/commands/changeOwnWorld";
-import { startOf } from "../model/starts";
 import { changeWorld } from "../model/commands/changeWorld";
+import { firstFree } from "../model/free-name";
+import { startOf } from "../model/starts";
 import { execute, useStudio } from "../model/studio";
 import { typedName } from "../model/typed-name";
 import type { Mission, OwnWorld } from "../model/types";
@@ -15,7 +17,7 @@ import { moved, startMoved } from "../model/world/moving";
 import { nameOf } from "../model/world/names";
 import { type Kind, partOf, type Thing } from "../model/world/thing";
 import { added, withDependents } from "../model/world/things";
-import { complain, dismissBanner, note } from "./document";
+import { dismissBanner, note, reportError } from "./document";
 import { choose, chosenIn, ownWorld, say, startWith, useWorld } from "./world-view";
 
 /** The mission's world becomes `world`, as one step. */
@@ -30,9 +32,9 @@ export async function worldAsPlan(): Promise<OwnWorld | null> {
   try {
     const { world, problems } = await partsApi.plan(file.path, mission.world);
     if (world !== null) return world;
-    complain(new Error(problems[0]?.message ?? t("world.no-file", { name: mission.world })));
+    reportError(new Error(problems[0]?.message ?? t("world.no-file", { name: mission.world })));
   } catch (cause) {
-    complain(cause);
+    reportError(cause);
   }
   return null;
 }
@@ -99,10 +101,11 @@ export function duplicateChosen(): void {
 
 function copyName(world: OwnWorld, kind: "road" | "storehouse" | "dock" | "start", name: string): string {
   const stem = name.replace(/-\d+$/, "");
-  for (let number = 2; ; number++) {
-    const next = `${stem}-${String(number)}`;
-    if (isFreeName(world, kind, next)) return next;
-  }
+  return firstFree(
+    (number) => `${stem}-${String(number)}`,
+    (next) => !isFreeName(world, kind, next),
+    2,
+  );
 }
 
 /** Moves what is chosen by so many mm; presses that follow each other closely are one step. */
@@ -149,7 +152,7 @@ export async function saveWorldFile(name: string): Promise<string> {
     note(t("world.file-saved", { file }), "", [{ label: t("world.file-use"), run: use }]);
     return "";
   } catch (cause) {
-    return cause instanceof Error ? cause.message : String(cause);
+    return whyRefused(cause).message;
   }
 }
 

@@ -98,7 +98,7 @@ function followWorld(): void {
 }
 
 /** A world that the page has seen elsewhere, so that choosing it shows it at once. */
-export function foreseeWorld(href: string, world: World | null): void {
+export function primeWorld(href: string, world: World | null): void {
   worlds.set(keyOf(useStudio.getState().file.path, href), world);
 }
 

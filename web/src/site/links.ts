@@ -2,7 +2,7 @@
 import { api, ApiError } from "../api/client";
 import { t } from "../i18n/words";
 import { useStudio } from "../model/studio";
-import { complain, fileName, question, whenReady } from "../session/document";
+import { fileName, question, reportError, whenReady } from "../session/document";
 import type { Feature } from "../session/features";
 import { openFromComputer } from "../session/open-requests";
 import { menuItem } from "../ui/menu-model";
@@ -30,7 +30,7 @@ async function open(hash: string): Promise<void> {
     openFromComputer(new File([bytes], name));
   } catch (cause) {
     forget();
-    complain(told(cause));
+    reportError(told(cause));
   }
 }
 
@@ -64,7 +64,7 @@ async function copyLink(): Promise<void> {
       question(t("site.link-shown"), [], "note", t("site.link-copied-help"));
     }
   } catch (cause) {
-    complain(told(cause));
+    reportError(told(cause));
   }
 }
 

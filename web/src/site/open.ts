@@ -7,9 +7,9 @@
 import { createElement } from "react";
 import { createRoot } from "react-dom/client";
 
-import { talkThrough } from "../api/line";
 import { PARTS, type Parts, siteParts } from "../api/site-parts";
 import { pageRole, pupilName } from "../api/token";
+import { setTransport } from "../api/transport";
 import { moreWords } from "../i18n/words";
 import { features, install } from "../session/features";
 import { flush, setKept } from "../session/journal";
@@ -33,7 +33,7 @@ export function openSite(spoken: Promise<unknown>): Promise<void> {
   const line = new WorkerLine((message, transfer) => {
     void worker.then((there) => there.postMessage(message, transfer ?? []));
   }, path);
-  talkThrough(line);
+  setTransport(line);
   // A link brings a mission; in a class the teacher says which one is open.
   if (pageRole === "") install([...features(), links]);
   alone(`kitrobot ${path}`, {

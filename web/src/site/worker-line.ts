@@ -3,7 +3,7 @@
  *
  * Left to others: when the worker begins (`open`), what it answers (`worker`).
  */
-import type { Line } from "../api/line";
+import type { Transport } from "../api/transport";
 import type { FromWorker, ToWorker } from "./messages";
 
 type Post = (message: ToWorker, transfer?: Transferable[]) => void;
@@ -61,7 +61,7 @@ interface Waiting {
   reject: (cause: unknown) => void;
 }
 
-export class WorkerLine implements Line {
+export class WorkerLine implements Transport {
   readonly #post: Post;
   readonly #base: string;
   readonly #asked = new Map<number, Waiting>();

@@ -1,5 +1,5 @@
 /** The line to the server as tests want it: sockets that keep what is sent, answers that the test gives. */
-import { talk, talkThrough } from "../api/line";
+import { setTransport, transport } from "../api/transport";
 
 export class Socket extends EventTarget {
   readonly sent: unknown[] = [];
@@ -43,9 +43,9 @@ export function refusal(message: string, help = "", status = 422): Response {
 
 /** Talks to nobody from now on. */
 export function testLine(answers: Record<string, unknown> = {}): TestLine {
-  const usual = talk();
-  const line: TestLine = { asked: [], answers, sockets: [], end: () => talkThrough(usual) };
-  talkThrough({
+  const usual = transport();
+  const line: TestLine = { asked: [], answers, sockets: [], end: () => setTransport(usual) };
+  setTransport({
     fetch: (address, init) => {
       line.asked.push([address, init.body]);
       const given = line.answers[address.split("?")[0] ?? ""];

@@ -7,6 +7,7 @@
 import { useEffect, useLayoutEffect, useRef, useState } from "react";
 import { createPortal } from "react-dom";
 
+import { endAll, listen } from "./effects";
 import { Menu } from "./Menu";
 import type { MenuEntry } from "./menu-model";
 
@@ -50,14 +51,10 @@ function Open({ id, label, at: { x, y }, entries, onLeave, onClose }: FloatingMe
       if (event.target instanceof Node && root.current?.contains(event.target) === true) return;
       leave.current();
     };
-    document.addEventListener("pointerdown", outside, true);
-    document.addEventListener("wheel", outside, true);
-    window.addEventListener("blur", outside);
-    return () => {
-      document.removeEventListener("pointerdown", outside, true);
-      document.removeEventListener("wheel", outside, true);
-      window.removeEventListener("blur", outside);
-    };
+    return endAll(
+      listen(document, { pointerdown: outside, wheel: outside }, { capture: true }),
+      listen(window, { blur: outside }),
+    );
   }, []);
 
   return (

@@ -1,5 +1,4 @@
 /** A choice from a list. A value that is not in the list stays chosen, under words of its own. */
-
 interface SelectProps {
   label: string;
   testId: string;
@@ -9,15 +8,31 @@ interface SelectProps {
   missing?: string;
   /** Whether the value cannot stay; whether it is not in the list unless told. */
   wrong?: boolean;
+  disabled?: boolean;
+  className?: string;
+  title?: string;
   keep: (value: string) => void;
 }
 
-export function Select({ label, testId, value, options, missing = value, wrong, keep }: SelectProps) {
+export function Select({
+  label,
+  testId,
+  value,
+  options,
+  missing = value,
+  wrong,
+  disabled = false,
+  className = "field",
+  title,
+  keep,
+}: SelectProps) {
   const rows = options.map((one): readonly [string, string] => (typeof one === "string" ? [one, one] : one));
   const known = rows.some(([one]) => one === value);
   return (
     <select
-      className="field"
+      className={className}
+      disabled={disabled}
+      title={title}
       data-testid={testId}
       aria-label={label}
       aria-invalid={wrong ?? !known}

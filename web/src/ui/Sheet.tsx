@@ -3,12 +3,14 @@
  *
  * It is not modal: STOP has to work at any moment.
  */
+import "./sheets.css";
+
 import { type ReactNode, useEffect, useRef } from "react";
 
 import { t } from "../i18n/words";
-import "./sheets.css";
-import { Tool } from "./Tool";
 import { borrowFocus } from "./borrow-focus";
+import { endAll, listen } from "./effects";
+import { Tool } from "./Tool";
 
 interface SheetProps {
   title: string;
@@ -31,11 +33,7 @@ export function Sheet({ title, testId, children, wide = false, onClose }: SheetP
     const outside = (event: PointerEvent) => {
       if (event.target instanceof Node && element?.contains(event.target) !== true) close.current();
     };
-    document.addEventListener("pointerdown", outside);
-    return () => {
-      document.removeEventListener("pointerdown", outside);
-      giveBack();
-    };
+    return endAll(listen(document, { pointerdown: outside }), giveBack);
   }, []);
   return (
     <dialog

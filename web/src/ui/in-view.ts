@@ -7,6 +7,7 @@
  */
 import { type RefObject, useLayoutEffect, useState } from "react";
 
+import { endAll, listen } from "./effects";
 import { watchLayout } from "./watch-layout";
 
 const TOLERANCE_PX = 1;
@@ -44,12 +45,10 @@ export function useInView(row: RefObject<HTMLElement | null>): number {
     const element = row.current;
     if (element === null) return;
     const scrolled = () => setHidden(mark(element));
-    element.addEventListener("scroll", scrolled, { passive: true });
-    const end = watchLayout(element, () => setHidden(measure(element)), ["aria-selected"]);
-    return () => {
-      end();
-      element.removeEventListener("scroll", scrolled);
-    };
+    return endAll(
+      listen(element, { scroll: scrolled }, { passive: true }),
+      watchLayout(element, () => setHidden(measure(element)), ["aria-selected"]),
+    );
   }, [row]);
   return hidden;
 }

@@ -27,6 +27,22 @@ export function menuItem(
   return { kind: "item", id, label, ...(keys === null ? {} : { keys }), disabled, run: () => void run() };
 }
 
+/** An entry of which one of several is chosen. */
+export function menuRadio(id: string, label: string, checked: boolean, run: () => unknown): MenuItem {
+  return { kind: "radio", id, label, checked, run: () => void run() };
+}
+
+/** An entry that is on or off. */
+export function menuCheck(
+  id: string,
+  label: string,
+  checked: boolean,
+  run: () => unknown,
+  keys: string | null = null,
+): MenuItem {
+  return { ...menuItem(id, label, keys, run), kind: "check", checked };
+}
+
 export interface MenuPart {
   id: string;
   label: string;

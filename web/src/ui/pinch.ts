@@ -1,4 +1,5 @@
 /** Two fingers on an element: how far they are apart and what lies between them. One finger is not its matter. */
+import { listen } from "./effects";
 
 export interface Spread {
   x: number;
@@ -43,15 +44,6 @@ export function watchPinch(element: HTMLElement, { begin, move }: PinchHandlers)
   const onEnd = () => {
     before = null;
   };
-  const captured = { capture: true, passive: false };
-  element.addEventListener("touchstart", onStart, captured);
-  element.addEventListener("touchmove", onMove, captured);
-  element.addEventListener("touchend", onEnd, true);
-  element.addEventListener("touchcancel", onEnd, true);
-  return () => {
-    element.removeEventListener("touchstart", onStart, captured);
-    element.removeEventListener("touchmove", onMove, captured);
-    element.removeEventListener("touchend", onEnd, true);
-    element.removeEventListener("touchcancel", onEnd, true);
-  };
+  const listeners = { touchstart: onStart, touchmove: onMove, touchend: onEnd, touchcancel: onEnd };
+  return listen(element, listeners, { capture: true, passive: false });
 }

@@ -6,6 +6,8 @@
  */
 import type { PointerEvent as ReactPointerEvent } from "react";
 
+import { endAll, listen } from "./effects";
+
 interface Place {
   x: number;
   y: number;
@@ -93,17 +95,12 @@ export function followPointer(event: ReactPointerEvent, { move, drop, end }: Poi
     over = true;
     dragging = false;
     clearTimeout(hold);
-    window.removeEventListener("pointermove", moved);
-    window.removeEventListener("pointerup", up);
-    window.removeEventListener("pointercancel", lost);
-    window.removeEventListener("keydown", key, true);
-    window.removeEventListener("keyup", key, true);
+    endListening();
     end?.(active);
   };
-  window.addEventListener("pointermove", moved);
-  window.addEventListener("pointerup", up);
-  window.addEventListener("pointercancel", lost);
-  window.addEventListener("keydown", key, true);
-  window.addEventListener("keyup", key, true);
+  const endListening = endAll(
+    listen(window, { pointermove: moved, pointerup: up, pointercancel: lost }),
+    listen(window, { keydown: key, keyup: key }, { capture: true }),
+  );
   return finish;
 }

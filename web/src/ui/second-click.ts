@@ -5,6 +5,7 @@
  * Such a click on what removes does nothing when the click before it was on another control, at the same place, and the
  * pointer has not been elsewhere since. The next one does. Several rows are removed one after another without a pause.
  */
+import { endAll, listen } from "./effects";
 
 const NEAR_PX = 8;
 const CONTROLS =
@@ -43,11 +44,8 @@ function onClick(event: MouseEvent): void {
 
 /** Watches the clicks of the page; gives what ends it. */
 export function guardRemoving(): () => void {
-  window.addEventListener("pointermove", onMove, true);
-  window.addEventListener("click", onClick, true);
-  return () => {
+  const forget = () => {
     before = null;
-    window.removeEventListener("pointermove", onMove, true);
-    window.removeEventListener("click", onClick, true);
   };
+  return endAll(forget, listen(window, { pointermove: onMove, click: onClick }, { capture: true }));
 }

@@ -4,7 +4,7 @@ import { type PointerEvent, useRef } from "react";
 import { t } from "../../i18n/words";
 import { inWords } from "../../model/meaning";
 import type { ControlProps } from "./FieldRow";
-import { steppedBy, within } from "./typed";
+import { sliderProps, within } from "./typed";
 
 const R = 48;
 const SIZE = 124;
@@ -38,7 +38,8 @@ export function usualAngles({ min, max, scale }: ControlProps["field"]): number[
   return USUAL.filter((angle) => angle <= max * scale && angle >= min * scale && whole(angle)).slice(0, MOST_USUAL);
 }
 
-export function Dial({ field, value, label, set, leave, onFocus }: ControlProps) {
+export function Dial(props: ControlProps) {
+  const { field, value, set } = props;
   const face = useRef<SVGSVGElement>(null);
   const degrees = value * field.scale;
   const turned = Math.min(Math.abs(degrees), 359.99) * Math.sign(degrees);
@@ -60,28 +61,7 @@ export function Dial({ field, value, label, set, leave, onFocus }: ControlProps)
         width={SIZE}
         height={SIZE}
         viewBox="-62 -62 124 124"
-        role="slider"
-        tabIndex={0}
-        aria-label={label}
-        aria-valuemin={field.min}
-        aria-valuemax={field.max}
-        aria-valuenow={value}
-        aria-valuetext={inWords(field, value)}
-        onFocus={onFocus}
-        onKeyDown={(event) => {
-          if (leave(event)) return;
-          const next = steppedBy(event.key, value, field, false);
-          if (next === null) return;
-          event.preventDefault();
-          set(next);
-        }}
-        onPointerDown={(event) => {
-          event.currentTarget.setPointerCapture(event.pointerId);
-          drag(event);
-        }}
-        onPointerMove={(event) => {
-          if (event.currentTarget.hasPointerCapture(event.pointerId)) drag(event);
-        }}
+        {...sliderProps(props, drag, false)}
       >
         <circle className="dial-face" r={R} />
         {Array.from({ length: 24 }, (_, tick) => (

@@ -12,7 +12,7 @@ import { t } from "../../i18n/words";
 import { setField, stepsSince } from "../../model/commands/setField";
 import { figures, inWords, storedNumber, unitOf } from "../../model/meaning";
 import type { Field } from "../../model/parts";
-import { useStudio } from "../../model/studio";
+import { execute, useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { Vertex } from "../../model/types";
 import { isOn } from "../../model/words";
@@ -50,11 +50,7 @@ export function FieldRow(props: FieldProps) {
 }
 
 function useSetter({ drawing: { program, parts }, vertex, field }: FieldProps): (value: string) => void {
-  const execute = useStudio((state) => state.execute);
-  return (value) => {
-    const command = setField(program, parts, vertex.id, field.name, value);
-    if (command !== null) execute(command);
-  };
+  return (value) => execute(setField(program, parts, vertex.id, field.name, value));
 }
 
 function toGraph(): void {
@@ -152,9 +148,7 @@ function NumberRow(props: FieldProps) {
         aria-describedby={`${id}-help`}
         value={typed}
         onFocus={onFocus}
-        onChange={(event) => {
-          change(event.target.value);
-        }}
+        onChange={(event) => change(event.target.value)}
         onBlur={() => {
           if (!wrong) setDraft(null);
         }}
@@ -268,9 +262,7 @@ function SwitchRow(props: FieldProps) {
         onKeyDown={(event) => {
           if (event.key === "Escape" || props.done !== undefined) leave(event);
         }}
-        toggle={() => {
-          set(on ? "0" : "1");
-        }}
+        toggle={() => set(on ? "0" : "1")}
       />
     </label>
   );
@@ -329,9 +321,7 @@ function TextRow(props: FieldProps) {
         value={vertex.settings[field.name] ?? ""}
         onFocus={onFocus}
         onKeyDown={leave}
-        onChange={(event) => {
-          set(event.target.value);
-        }}
+        onChange={(event) => set(event.target.value)}
       />
     </label>
   );

@@ -9,19 +9,12 @@ import { useStudio } from "../../model/studio";
 import type { RobotObject } from "../../model/types";
 import { useRun, watchedAgent } from "../../session/run";
 import type { ControlProps } from "./FieldRow";
-import { steppedBy, within } from "./typed";
+import { sliderProps, within } from "./typed";
 
 const TICKS = 20;
 
-export function Ruler({
-  field,
-  value,
-  label,
-  set,
-  leave,
-  onFocus,
-  sensor,
-}: ControlProps & { sensor: RobotObject | null }) {
+export function Ruler({ sensor, ...props }: ControlProps & { sensor: RobotObject | null }) {
+  const { field, value, set } = props;
   const scale = useRef<HTMLSpanElement>(null);
   const program = useStudio((state) => state.activeProgram);
   const now = useRun((run) => (sensor === null ? undefined : watchedAgent(run, program)?.inputs[sensor.name]));
@@ -34,31 +27,7 @@ export function Ruler({
     set(within(Math.round(min + (mirrored() ? 1 - from : from) * (max - min)), field));
   };
   return (
-    <span
-      className="field-ruler column"
-      role="slider"
-      tabIndex={0}
-      aria-label={label}
-      aria-valuemin={min}
-      aria-valuemax={max}
-      aria-valuenow={value}
-      aria-valuetext={inWords(field, value)}
-      onFocus={onFocus}
-      onKeyDown={(event) => {
-        if (leave(event)) return;
-        const next = steppedBy(event.key, value, field, mirrored());
-        if (next === null) return;
-        event.preventDefault();
-        set(next);
-      }}
-      onPointerDown={(event) => {
-        event.currentTarget.setPointerCapture(event.pointerId);
-        drag(event);
-      }}
-      onPointerMove={(event) => {
-        if (event.currentTarget.hasPointerCapture(event.pointerId)) drag(event);
-      }}
-    >
+    <span className="field-ruler column" {...sliderProps(props, drag, mirrored())}>
       <span className="ruler-scale" ref={scale}>
         <span className="ruler-share" style={{ inlineSize: share(value) }} />
         {now === undefined ? null : (

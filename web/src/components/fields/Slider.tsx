@@ -54,9 +54,7 @@ export function Slider(props: ControlProps) {
         max={field.max}
         value={value}
         style={{ "--share": share } as CSSProperties}
-        onChange={(event) => {
-          set(event.target.valueAsNumber);
-        }}
+        onChange={(event) => set(event.target.valueAsNumber)}
       />
     );
   }
@@ -70,9 +68,7 @@ export function Slider(props: ControlProps) {
         max={(MARKS.length - 1) * FINE}
         value={Math.round(place * FINE)}
         style={{ "--share": place / (MARKS.length - 1) } as CSSProperties}
-        onChange={(event) => {
-          set(numberOfTime(event.target.valueAsNumber / FINE, field));
-        }}
+        onChange={(event) => set(numberOfTime(event.target.valueAsNumber / FINE, field))}
       />
       <span className="field-marks muted" id={marks} aria-hidden="true">
         {MARKS.map((mark) => (

@@ -1,8 +1,11 @@
 /** The number that typed words mean: "90", "90°", "1,5 s", "heart"; and the number a key leads to. */
+import type { KeyboardEvent, PointerEvent } from "react";
+
 import { plainDigits, readNumber } from "../../i18n/numbers";
-import { unitOf } from "../../model/meaning";
+import { inWords, unitOf } from "../../model/meaning";
 import type { Field } from "../../model/parts";
 import { text } from "../../model/texts";
+import type { ControlProps } from "./FieldRow";
 
 /**
  * The number, whole and in steps of the field, but perhaps out of its range; null for what is none. A unit may be there
@@ -36,6 +39,41 @@ export function within(value: number, { min, max }: Field): number {
 export function isRounded(typed: string, value: number, field: Field): boolean {
   const amount = amountTyped(typed, field);
   return amount !== null && Math.abs(value * field.scale - amount) > 1e-6;
+}
+
+/**
+ * What makes a drawing a slider that keys and a pointer move. `drag`: the pointer is down there; `isMirrored`: the right arrow
+ * leads to less.
+ */
+export function sliderProps(
+  { field, value, label, set, leave, onFocus }: ControlProps,
+  drag: (event: PointerEvent) => void,
+  isMirrored: boolean,
+) {
+  return {
+    role: "slider",
+    tabIndex: 0,
+    "aria-label": label,
+    "aria-valuemin": field.min,
+    "aria-valuemax": field.max,
+    "aria-valuenow": value,
+    "aria-valuetext": inWords(field, value),
+    onFocus,
+    onKeyDown: (event: KeyboardEvent) => {
+      if (leave(event)) return;
+      const next = steppedBy(event.key, value, field, isMirrored);
+      if (next === null) return;
+      event.preventDefault();
+      set(next);
+    },
+    onPointerDown: (event: PointerEvent) => {
+      event.currentTarget.setPointerCapture(event.pointerId);
+      drag(event);
+    },
+    onPointerMove: (event: PointerEvent) => {
+      if (event.currentTarget.hasPointerCapture(event.pointerId)) drag(event);
+    },
+  };
 }
 
 /** Where a key leads on a dial, slider or ruler: arrows one step, Page ten, Home and End to the ends; null for others. */

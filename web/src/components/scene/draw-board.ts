@@ -5,11 +5,13 @@
  * A board is 64 units wide, about as large as a robot is long, but never so small on the screen that its lights cannot be
  * told apart. Its upper edge is up where its heading is 0.
  */
-import { toScreen } from "./camera";
 import { type HandKey, type Indicator, lightsOf } from "./boards";
+import { toScreen } from "./camera";
 import { type Brush, write } from "./draw-world";
-export { press, release, releaseAll } from "./hands";
+import { fillWith, strokeWith } from "./ink";
 import type { Actor, Seen } from "./scene";
+
+export { press, release, releaseAll } from "./hands";
 
 const [WIDTH, HEIGHT] = [64, 54];
 const EDGE = 9;
@@ -49,15 +51,13 @@ function box(brush: Brush, x: number, y: number, width: number, height: number, 
   const { pen, unit: u } = brush;
   pen.beginPath();
   pen.roundRect(x * u, y * u, width * u, height * u, radius * u);
-  pen.fillStyle = fill;
-  pen.fill();
+  fillWith(pen, fill);
 }
 
 function disc({ pen, unit: u }: Brush, x: number, y: number, radius: number, fill: string): void {
   pen.beginPath();
   pen.arc(x * u, y * u, radius * u, 0, Math.PI * 2);
-  pen.fillStyle = fill;
-  pen.fill();
+  fillWith(pen, fill);
 }
 
 function drawLights(brush: Brush, rows: readonly number[]): void {
@@ -132,14 +132,10 @@ export function drawBoard(brush: Brush, one: Seen, selected: boolean): void {
   if (selected) {
     pen.beginPath();
     pen.roundRect((-WIDTH / 2 - 3) * u, (-HEIGHT / 2 - 3) * u, (WIDTH + 6) * u, (HEIGHT + 6) * u, 8 * u);
-    pen.strokeStyle = colours.ink;
-    pen.lineWidth = 2;
-    pen.stroke();
+    strokeWith(pen, colours.ink, 2);
   }
   box(brush, -WIDTH / 2, -HEIGHT / 2, WIDTH, HEIGHT, 6, COLOURS.board);
-  pen.strokeStyle = COLOURS.rim;
-  pen.lineWidth = Math.max(u, 1);
-  pen.stroke();
+  strokeWith(pen, COLOURS.rim, Math.max(u, 1));
   pen.textAlign = "center";
   pen.textBaseline = "middle";
   drawEdge(brush, face.pins);
@@ -171,22 +167,15 @@ function drawValue({ pen, colours, ...brush }: Brush, { look, value, share }: In
   pen.beginPath();
   if (look === "bar") {
     pen.roundRect(x, y - 4, SIGN, 8, 4);
-    pen.fillStyle = colours.robot;
-    pen.fill();
-    pen.strokeStyle = colours.muted;
-    pen.lineWidth = 1;
-    pen.stroke();
+    fillWith(pen, colours.robot);
+    strokeWith(pen, colours.muted, 1);
     pen.beginPath();
     pen.roundRect(x, y - 4, Math.max(share * SIGN, share > 0 ? 4 : 0), 8, 4);
-    pen.fillStyle = colours.ink;
-    pen.fill();
+    fillWith(pen, colours.ink);
   } else if (look === "lamp") {
     pen.arc(x + 6, y, 5.5, 0, Math.PI * 2);
-    pen.fillStyle = share > 0 ? `rgb(255 190 40 / ${String(40 + 60 * share)}%)` : colours.robot;
-    pen.fill();
-    pen.strokeStyle = colours.muted;
-    pen.lineWidth = 1;
-    pen.stroke();
+    fillWith(pen, share > 0 ? `rgb(255 190 40 / ${String(40 + 60 * share)}%)` : colours.robot);
+    strokeWith(pen, colours.muted, 1);
   } else if (look === "number") {
     pen.textAlign = "left";
     write({ pen, colours, ...brush }, String(value), x, y, 12, 700, colours.text);

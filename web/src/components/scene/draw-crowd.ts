@@ -5,6 +5,7 @@
 import { toScreen } from "./camera";
 import type { Brush } from "./draw-world";
 import { ROBOT_MM } from "./geometry";
+import { fillWith, strokeWith } from "./ink";
 import type { Seen } from "./scene";
 
 const LEAST_PX = 3.5;
@@ -33,12 +34,8 @@ function signs({ pen, colours }: Brush, dots: readonly Dot[], stroke: (x: number
   if (dots.length === 0) return;
   pen.beginPath();
   for (const { x, y } of dots) stroke(x, y);
-  pen.strokeStyle = colours.panel;
-  pen.lineWidth = 4;
-  pen.stroke();
-  pen.strokeStyle = colours.ink;
-  pen.lineWidth = 2;
-  pen.stroke();
+  strokeWith(pen, colours.panel, 4);
+  strokeWith(pen, colours.ink, 2);
 }
 
 /** The robots on the screen. `program`: those of another one step back; "" for none. */
@@ -55,21 +52,16 @@ export function drawCrowd(brush: Brush, seen: readonly Seen[], program: string):
   }
   pen.globalAlpha = 0.3;
   arrows(brush, behind, size);
-  pen.fillStyle = colours.robotLine;
-  pen.fill();
+  fillWith(pen, colours.robotLine);
   pen.globalAlpha = 1;
   arrows(brush, dots, size);
-  pen.fillStyle = colours.robot;
-  pen.fill();
-  pen.strokeStyle = colours.robotLine;
-  pen.lineWidth = Math.min(Math.max(size / 5, 0.8), 2);
-  pen.stroke();
+  fillWith(pen, colours.robot);
+  strokeWith(pen, colours.robotLine, Math.min(Math.max(size / 5, 0.8), 2));
   pen.beginPath();
   for (const { x, y, one } of dots) {
     if (one.pose.load > 0) pen.rect(x - size * 0.35, y - size * 0.35, size * 0.7, size * 0.7);
   }
-  pen.fillStyle = colours.box;
-  pen.fill();
+  fillWith(pen, colours.box);
   const far = Math.max(size, 5);
   const of = (sign: "failed" | "stalled" | "muted") => dots.filter(({ one }) => one[sign]);
   signs(brush, of("failed"), (x, y) => {

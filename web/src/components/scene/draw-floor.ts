@@ -6,6 +6,7 @@
 import type { World } from "../../model/types";
 import { type Camera, type Room, toScreen } from "./camera";
 import type { Colours } from "./colours";
+import { fillWith, strokeWith } from "./ink";
 
 interface FloorBrush {
   pen: CanvasRenderingContext2D;
@@ -34,8 +35,7 @@ function drawTiles({ pen, room, colours }: FloorBrush, left: number, top: number
       pen.rect(x, y, right - x, bottom - y);
     }
   }
-  pen.fillStyle = colours.tile;
-  pen.fill();
+  fillWith(pen, colours.tile);
 }
 
 function drawGround(brush: FloorBrush, world: World): void {
@@ -81,9 +81,7 @@ function drawLines({ pen, camera, colours }: FloorBrush, world: World): void {
     pen.beginPath();
     for (const [x, y] of line.points) pen.lineTo(...toScreen(camera, x, y));
     if (line.closed) pen.closePath();
-    pen.strokeStyle = colours[line.colour];
-    pen.lineWidth = line.width_mm * camera.scale;
-    pen.stroke();
+    strokeWith(pen, colours[line.colour], line.width_mm * camera.scale);
   }
 }
 

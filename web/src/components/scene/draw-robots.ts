@@ -1,15 +1,16 @@
 /** Draws who is in the world: figures with their numbers, and rings. What only a run shows of them is the stage's (`features/arena/stage`). */
 import { ARM_OUT, LAMP, type Storehouse } from "../../api/wire";
-import { t } from "../../i18n/words";
 import { grouped } from "../../i18n/numbers";
+import { t } from "../../i18n/words";
 import { fontOf } from "../../theme";
 import { toScreen } from "./camera";
+import { isCrowd } from "./crowd-size";
 import type * as DrawBoard from "./draw-board";
 import type * as DrawCrowd from "./draw-crowd";
-import { isCrowd } from "./crowd-size";
 import { type Brush, headOf, robotUnit, write } from "./draw-world";
 import type * as Figures from "./figures";
 import { boundsOf, isIn } from "./geometry";
+import { fillWith } from "./ink";
 import { LIDS } from "./lids";
 import type { Scene, Seen } from "./scene";
 
@@ -74,8 +75,7 @@ function drawHalo(brush: Brush, { actor, pose }: Seen): void {
   pen.moveTo(ux * (ring + 6), uy * (ring + 6));
   pen.lineTo(ux * (ring + 1) - uy * 4, uy * (ring + 1) + ux * 4);
   pen.lineTo(ux * (ring + 1) + uy * 4, uy * (ring + 1) - ux * 4);
-  pen.fillStyle = colours.ink;
-  pen.fill();
+  fillWith(pen, colours.ink);
 }
 
 /** Under a robot its number on a disc of its colour, and its name where there is room. */
@@ -89,16 +89,14 @@ function drawName(brush: Brush, { actor }: Seen, away: number, named: boolean): 
   if (named) {
     pen.beginPath();
     pen.roundRect(left, y - 10, width + 30, 20, 10);
-    pen.fillStyle = colours.panel;
-    pen.fill();
+    fillWith(pen, colours.panel);
     line(brush, 1, colours.line2);
     pen.textAlign = "left";
     write(brush, actor.name, left + 22, y + 0.5, 12, 600, colours.text);
   }
   pen.beginPath();
   pen.arc(left + 10, y, 7, 0, Math.PI * 2);
-  pen.fillStyle = LIDS[actor.lid]?.fill ?? colours.panel;
-  pen.fill();
+  fillWith(pen, LIDS[actor.lid]?.fill ?? colours.panel);
   line(brush, 1, colours.robotLine);
   pen.textAlign = "center";
   write(
@@ -214,8 +212,7 @@ function drawCaption(
   const left = Math.min(Math.max(x, 8), Math.max(8, brush.room.width - width - 8));
   pen.beginPath();
   pen.roundRect(left, y - px * 0.85, width, px * 1.7, px * 0.85);
-  pen.fillStyle = colours.panel;
-  pen.fill();
+  fillWith(pen, colours.panel);
   write(brush, words, left + 8, y + 0.5, px, weight, colour);
 }
 

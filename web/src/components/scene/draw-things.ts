@@ -2,6 +2,7 @@
 import type { World } from "../../model/types";
 import { toScreen } from "./camera";
 import { type Brush, drawBox } from "./draw-world";
+import { fillWith, strokeWith } from "./ink";
 
 export type Place = readonly [x_mm: number, y_mm: number];
 
@@ -9,18 +10,15 @@ export type Place = readonly [x_mm: number, y_mm: number];
 function drawBall({ pen, colours }: Brush, x: number, y: number, radius: number): void {
   pen.beginPath();
   pen.ellipse(x + radius * 0.16, y + radius * 0.2, radius, radius * 0.96, 0, 0, Math.PI * 2);
-  pen.fillStyle = colours.shade;
-  pen.fill();
+  fillWith(pen, colours.shade);
   pen.save();
   pen.beginPath();
   pen.arc(x, y, radius, 0, Math.PI * 2);
   pen.clip();
-  pen.fillStyle = colours.ball;
-  pen.fill();
+  fillWith(pen, colours.ball);
   pen.beginPath();
   pen.arc(x - radius * 0.3, y - radius * 0.34, radius * 0.42, 0, Math.PI * 2);
-  pen.fillStyle = colours.ballLight;
-  pen.fill();
+  fillWith(pen, colours.ballLight);
   pen.lineWidth = Math.max(radius / 6, 1);
   pen.strokeStyle = colours.ballLine;
   for (const side of [-1, 1]) {
@@ -31,9 +29,7 @@ function drawBall({ pen, colours }: Brush, x: number, y: number, radius: number)
   pen.restore();
   pen.beginPath();
   pen.arc(x, y, radius, 0, Math.PI * 2);
-  pen.strokeStyle = colours.robotLine;
-  pen.lineWidth = Math.max(radius / 12, 0.75);
-  pen.stroke();
+  strokeWith(pen, colours.robotLine, Math.max(radius / 12, 0.75));
 }
 
 /** `places` are those of a run, in the order of the world's things; without one a thing is where the world says. */

@@ -10,6 +10,7 @@ import { type Camera, type Room, toScreen } from "./camera";
 import type { Colours } from "./colours";
 import { drawFloor } from "./draw-floor";
 import { boundsOf, isIn, lineOf, placeAlong, ROBOT_MM } from "./geometry";
+import { fillWith, strokeWith } from "./ink";
 import type { Scene } from "./scene";
 
 /** A robot is drawn this long. */
@@ -65,12 +66,8 @@ function drawRoad(brush: Brush, road: Road): void {
   pen.lineJoin = "round";
   pen.lineCap = road.closed ? "butt" : "round";
   trace(brush, road);
-  pen.strokeStyle = colours.kerb;
-  pen.lineWidth = (width * 58) / 50;
-  pen.stroke();
-  pen.strokeStyle = colours.road;
-  pen.lineWidth = width;
-  pen.stroke();
+  strokeWith(pen, colours.kerb, (width * 58) / 50);
+  strokeWith(pen, colours.road, width);
   pen.strokeStyle = colours.mark;
   pen.lineWidth = Math.max(1.25 * brush.unit, 0.75);
   pen.setLineDash([7 * brush.unit, 8 * brush.unit]);
@@ -111,11 +108,8 @@ function drawSigns(brush: Brush, road: Road): void {
     );
     pen.beginPath();
     pen.arc(x, y, 11.5 * unit, 0, Math.PI * 2);
-    pen.fillStyle = colours.house;
-    pen.fill();
-    pen.strokeStyle = colours.line2;
-    pen.lineWidth = 1;
-    pen.stroke();
+    fillWith(pen, colours.house);
+    strokeWith(pen, colours.line2, 1);
     pen.textAlign = "center";
     pen.textBaseline = "middle";
     write(brush, String(section.sign), x, y + 0.5 * unit, 13 * unit, 600, colours.text);
@@ -134,11 +128,8 @@ function drawDock(brush: Brush, dock: DockPose, world: World): void {
   pen.rotate(-dock.heading_rad);
   pen.beginPath();
   pen.roundRect(-length / 2, -width / 2, length, width, 4 * unit);
-  pen.fillStyle = colours.bay;
-  pen.fill();
-  pen.strokeStyle = colours.bayLine;
-  pen.lineWidth = 2 * unit;
-  pen.stroke();
+  fillWith(pen, colours.bay);
+  strokeWith(pen, colours.bayLine, 2 * unit);
   pen.restore();
 }
 
@@ -146,11 +137,8 @@ function drawDock(brush: Brush, dock: DockPose, world: World): void {
 export function drawBox({ pen, colours }: Brush, x: number, y: number, size: number): void {
   pen.beginPath();
   pen.roundRect(x, y, size, size, size / 9);
-  pen.fillStyle = colours.box;
-  pen.fill();
-  pen.strokeStyle = colours.boxLine;
-  pen.lineWidth = Math.max(size / 18, 0.5);
-  pen.stroke();
+  fillWith(pen, colours.box);
+  strokeWith(pen, colours.boxLine, Math.max(size / 18, 0.5));
   pen.beginPath();
   pen.moveTo(x + size / 2, y);
   pen.lineTo(x + size / 2, y + size * 0.42);
@@ -171,11 +159,8 @@ function drawHouse(brush: Brush, house: Storehouse, stock: number, caption: stri
   const head = headOf(brush, house);
   pen.beginPath();
   pen.roundRect(x, y, width, height, 6 * unit);
-  pen.fillStyle = colours.house;
-  pen.fill();
-  pen.strokeStyle = colours.line2;
-  pen.lineWidth = Math.max(1.25 * unit, 0.75);
-  pen.stroke();
+  fillWith(pen, colours.house);
+  strokeWith(pen, colours.line2, Math.max(1.25 * unit, 0.75));
   pen.beginPath();
   pen.moveTo(x, y + head);
   pen.lineTo(x + width, y + head);
@@ -206,9 +191,7 @@ function drawHouse(brush: Brush, house: Storehouse, stock: number, caption: stri
       pen.beginPath();
       pen.roundRect(sx + 0.5, sy + 0.5, size - 1, size - 1, size / 9);
       pen.setLineDash([1.5 * unit, 1.5 * unit]);
-      pen.strokeStyle = colours.slot;
-      pen.lineWidth = 1;
-      pen.stroke();
+      strokeWith(pen, colours.slot, 1);
       pen.setLineDash([]);
     }
   }

@@ -2,12 +2,13 @@
  * Zones of the floor: dashed edge and waves where it is warm, rings and a horn where it is loud, rays and a sun where it is
  * bright, each with its word and value. In high contrast lines alone say it: nothing is tinted.
  */
-import { type Key, t } from "../../i18n/words";
 import { decimal } from "../../i18n/numbers";
+import { type Key, t } from "../../i18n/words";
 import type { World } from "../../model/types";
 import { fontOf, useTheme } from "../../theme";
 import { toScreen } from "./camera";
 import { type Brush, write } from "./draw-world";
+import { fillWith, strokeWith } from "./ink";
 
 export type Zone = NonNullable<World["zones"]>[number];
 
@@ -134,11 +135,8 @@ function drawWords(brush: Brush, zone: Zone, x: number, y: number, room: number)
   const wide = width(words);
   pen.beginPath();
   pen.roundRect(x - wide / 2, y - 12, wide, 24, 6);
-  pen.fillStyle = colours.panel;
-  pen.fill();
-  pen.strokeStyle = colours.line2;
-  pen.lineWidth = 1;
-  pen.stroke();
+  fillWith(pen, colours.panel);
+  strokeWith(pen, colours.line2, 1);
   drawSign(brush, zone.kind, x - wide / 2 + 16, y, 14, colours.text);
   pen.textAlign = "left";
   pen.textBaseline = "middle";
@@ -155,9 +153,7 @@ function drawZone(brush: Brush, zone: Zone, contrast: boolean, dark: boolean): v
     if (falloff > 0) {
       trace(pen, outline, falloff);
       pen.setLineDash([2, 6]);
-      pen.strokeStyle = line;
-      pen.lineWidth = 1;
-      pen.stroke();
+      strokeWith(pen, line, 1);
     }
   } else {
     pen.fillStyle = line;

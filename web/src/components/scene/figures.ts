@@ -6,6 +6,7 @@
  * Where a figure stands on the screen, and its badges, is left to `draw-robots.ts`; boards have `draw-board.ts`.
  */
 import { fontOf } from "../../theme";
+import { fillWith, strokeWith } from "./ink";
 import { LIDS } from "./lids";
 
 /** What of a robot's state its figure shows. */
@@ -106,12 +107,9 @@ class Hand {
     const { pen } = this;
     pen.beginPath();
     pen.arc(x, y, r, 0, Math.PI * 2);
-    pen.fillStyle = fill;
-    pen.fill();
+    fillWith(pen, fill);
     if (width === 0) return;
-    pen.strokeStyle = this.ink;
-    pen.lineWidth = Math.max(width, LEAST_LINE_PX / this.u);
-    pen.stroke();
+    strokeWith(pen, this.ink, Math.max(width, LEAST_LINE_PX / this.u));
   }
 
   box(x: number, y: number, width: number, height: number, radius: number, fill: string, line = 0): void {
@@ -119,13 +117,10 @@ class Hand {
     pen.beginPath();
     pen.roundRect(x, y, width, height, radius);
     if (fill !== "") {
-      pen.fillStyle = fill;
-      pen.fill();
+      fillWith(pen, fill);
     }
     if (line === 0) return;
-    pen.strokeStyle = this.ink;
-    pen.lineWidth = Math.max(line, LEAST_LINE_PX / this.u);
-    pen.stroke();
+    strokeWith(pen, this.ink, Math.max(line, LEAST_LINE_PX / this.u));
   }
 }
 

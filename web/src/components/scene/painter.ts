@@ -8,8 +8,9 @@ import { moreWords } from "../../i18n/words";
 import type { World } from "../../model/types";
 import { drawnByPens } from "../../session/pen-marks";
 import { posesAt } from "../../session/poses";
+import { listen } from "../../ui/effects";
 import { type Box, type Camera, fit, fitBox, type Room, toScreen, toWorld, zoomAt } from "./camera";
-import { readColours, type Colours } from "./colours";
+import { type Colours, readColours } from "./colours";
 import { CROWD } from "./crowd-size";
 import { type Boards, drawActors, drawRing, ringOf, type Said, type Seldom } from "./draw-robots";
 import { type Brush, drawWorld, robotUnit, unitOf } from "./draw-world";
@@ -87,11 +88,7 @@ export class Painter {
   }
 
   /** Where the eye is. */
-  get view(): Camera {
-    return this.viewpoint.camera;
-  }
-
-  private get camera(): Camera {
+  get camera(): Camera {
     return this.viewpoint.camera;
   }
 
@@ -210,25 +207,30 @@ export class Painter {
     return best?.seen ?? null;
   }
 
-  /** Figures, boards and crowds are drawn once the means are there; a fetch that failed is tried again with the next scene. */
+  /** Figures, boards and crowds are drawn once the means are there. */
   private fetchSeldom({ actors }: Scene): void {
-    if (this.fetching) return;
     const boards =
       this.seldom.boards === null &&
       actors.some(({ face, keys, indicators }) => face !== null || keys.length + indicators.length > 0);
     const crowds = this.seldom.crowds === null && actors.length >= CROWD;
     const figures = this.seldom.figures === null && actors.length > 0;
     if (!boards && !crowds && !figures) return;
+    this.fetch(async () => {
+      const [drawBoards, drawCrowds, drawn] = await Promise.all([
+        boards ? import("./draw-board") : this.seldom.boards,
+        crowds ? import("./draw-crowd") : this.seldom.crowds,
+        figures ? import("./figures") : this.seldom.figures,
+      ]);
+      this.seldom = { boards: drawBoards, crowds: drawCrowds, figures: drawn };
+    });
+  }
+
+  /** Paints with what was fetched; one fetch at a time, and one that failed is tried again. */
+  private fetch(chunks: () => Promise<void>): void {
+    if (this.fetching) return;
     this.fetching = true;
-    void Promise.all([
-      boards ? import("./draw-board") : this.seldom.boards,
-      crowds ? import("./draw-crowd") : this.seldom.crowds,
-      figures ? import("./figures") : this.seldom.figures,
-    ])
-      .then(([drawBoards, drawCrowds, drawn]) => {
-        this.seldom = { boards: drawBoards, crowds: drawCrowds, figures: drawn };
-        this.paintSoon();
-      })
+    void chunks()
+      .then(() => this.paintSoon())
       .catch(() => undefined)
       .finally(() => {
         this.fetching = false;
@@ -316,30 +318,37 @@ export class Painter {
     if (this.layers?.over(brush, this.scene, seen) === true || moves || eases || !still) this.paintSoon();
   }
 
-  /** Fetches what draws there once there is something; a fetch that failed is tried again. */
+  /** Fetches what draws there once there is something. */
   private drawOnFloor(brush: Brush, seen: readonly Seen[]): void {
     const scene = this.scene;
     if (scene === null) return;
     const { things = [], zones = [] } = scene.world;
     if (drawnByPens().marks.length + things.length + zones.length === 0) return;
-    if (this.onFloor !== null) {
-      this.onFloor.drawOnFloor(brush, scene, seen);
-      return;
-    }
-    if (this.fetching) return;
-    this.fetching = true;
-    void Promise.all([import("./on-floor"), moreWords()])
-      .then(([chunk]) => {
-        this.onFloor = chunk;
-        this.paintSoon();
-      })
-      .catch(() => undefined)
-      .finally(() => {
-        this.fetching = false;
+    if (this.onFloor !== null) this.onFloor.drawOnFloor(brush, scene, seen);
+    else
+      this.fetch(async () => {
+        [this.onFloor] = await Promise.all([import("./on-floor"), moreWords()]);
       });
   }
 
-  end(): void {
-    cancelAnimationFrame(this.request);
+  /** Fills a frame and is zoomed by the wheel over an element; returns what ends all of it. */
+  attachTo(frame: HTMLElement, wheelOver: HTMLElement = frame): () => void {
+    const watcher = new ResizeObserver(([entry]) => {
+      if (entry !== undefined) this.resize(entry.contentRect.width, entry.contentRect.height);
+    });
+    watcher.observe(frame);
+    // A wheel listener that may prevent scrolling cannot be passive, as React's are.
+    const wheel = (event: WheelEvent) => {
+      event.preventDefault();
+      const place = wheelOver.getBoundingClientRect();
+      this.zoom(Math.exp(-event.deltaY * 0.0015), event.clientX - place.left, event.clientY - place.top);
+    };
+    const endWheel = listen(wheelOver, { wheel }, { passive: false });
+    void document.fonts?.ready.then(() => this.paintSoon());
+    return () => {
+      watcher.disconnect();
+      endWheel();
+      cancelAnimationFrame(this.request);
+    };
   }
 }

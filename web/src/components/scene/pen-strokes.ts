@@ -2,6 +2,7 @@
 import { drawnByPens, type PenMark } from "../../session/pen-marks";
 import { toScreen } from "./camera";
 import type { Brush } from "./draw-world";
+import { strokeWith } from "./ink";
 
 /** What becomes of a point: a line begins there, or ends. */
 const [BEGINS, ENDS] = [2, 4];
@@ -62,9 +63,7 @@ export function drawStrokes({ pen, camera, colours }: Brush, strokes: readonly P
     const first = points[0];
     // A dot is a line to where it began.
     if (points.length === 1 && first !== undefined) pen.lineTo(...toScreen(camera, first[0], first[1]));
-    pen.strokeStyle = PEN_COLOURS[colour] ?? colours.ink;
-    pen.lineWidth = Math.max(width_mm * camera.scale, LEAST_PX);
-    pen.stroke();
+    strokeWith(pen, PEN_COLOURS[colour] ?? colours.ink, Math.max(width_mm * camera.scale, LEAST_PX));
   }
   pen.restore();
 }

@@ -4,9 +4,9 @@
  * Who drives, who is an arm beside a dock and who sits in a storehouse is read from where they start: that decides how
  * they are drawn and nothing else.
  */
-import type { Catalogue, Goal, Mission, Robot, World } from "../../model/types";
 import { COLLISION, FAILED, MUTED, type Pose, STALLED } from "../../api/wire";
 import { text } from "../../model/texts";
+import type { Catalogue, Goal, Mission, Robot, World } from "../../model/types";
 import { valueWords } from "../../model/words";
 import type { RunAgent, RunState } from "../../session/run";
 import {
@@ -145,19 +145,18 @@ function sensesOf(agent: SceneAgent, robot: Robot | undefined): Actor["senses"] 
   return senses;
 }
 
-/** Arms, boards and robots that are not at hand have no length of their own. */
-function lengthOf(robot: Robot | undefined): number {
-  return robot?.length_mm || ROBOT_MM;
-}
-
-function devicesOf(
+/** A robot that stands somewhere, as it is drawn. */
+function bodyOf(
   robot: Robot | undefined,
-  role: Role,
-  shown: RunAgent["shown"],
-  inputs: RunAgent["inputs"],
-): Pick<Actor, "figure" | "face" | "keys" | "sliders" | "indicators"> {
+  place: Place,
+  shown: RunAgent["shown"] = {},
+  inputs: RunAgent["inputs"] = {},
+): Place & Pick<Actor, "length_mm" | "figure" | "face" | "keys" | "sliders" | "indicators"> {
   return {
-    figure: robot?.figure || FIGURES[role],
+    ...place,
+    // Arms, boards and robots that are not at hand have no length of their own.
+    length_mm: robot?.length_mm || ROBOT_MM,
+    figure: robot?.figure || FIGURES[place.role],
     face: faceOf(robot, shown),
     keys: keysOf(robot, inputs),
     sliders: slidersOf(robot, inputs),
@@ -177,9 +176,7 @@ export function sceneBefore(mission: Mission, world: World, catalogue: Catalogue
       if (place === undefined) return [];
       const number = numberOf(agent.name, index);
       const { name, program } = agent;
-      const robot = robots.get(program);
-      const board = devicesOf(robot, place.role, {}, {});
-      return [{ name, program, number, ...place, length_mm: lengthOf(robot), senses: [], failed: false, ...board }];
+      return [{ name, program, number, ...bodyOf(robots.get(program), place), senses: [], failed: false }];
     }),
     stock: Object.fromEntries(world.storehouses.map((house) => [house.name, house.stock])),
     delivered: 0,
@@ -210,20 +207,9 @@ export function actorsOf(
   const places = placesOf(world, mission);
   return agents.map((agent) => {
     const { name, program, number } = agent;
-    const failed = agent.state === "failed";
     const robot = catalogue.robots.find((one) => one.name === agent.robot);
-    const place = places.get(name) ?? LOST;
-    const board = devicesOf(robot, place.role, agent.shown, agent.inputs);
-    return {
-      name,
-      program,
-      number,
-      ...place,
-      length_mm: lengthOf(robot),
-      senses: sensesOf(agent, robot),
-      failed,
-      ...board,
-    };
+    const body = bodyOf(robot, places.get(name) ?? LOST, agent.shown, agent.inputs);
+    return { name, program, number, ...body, senses: sensesOf(agent, robot), failed: agent.state === "failed" };
   });
 }
 

@@ -11,7 +11,7 @@ import { useEffect, useRef, useState } from "react";
 
 import { t } from "../../i18n/words";
 import type { Problem } from "../../model/types";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { holdKeys } from "../../ui/held-keys";
 import type * as Editing from "./editing";
 import { lllExtensions, setShown, type Shown } from "./extensions";
@@ -83,7 +83,7 @@ export function TextEditor(props: TextEditorProps) {
         if (!there) return;
         // The next touch tries again.
         setTouched(false);
-        complain(new Error(t("error.offline")));
+        reportError(new Error(t("error.offline")));
       },
     );
     return () => {
@@ -121,12 +121,8 @@ export function TextEditor(props: TextEditorProps) {
             if (byHand && range.empty) latest.current.onPick(range.head, byMouse);
           }),
           EditorView.domEventHandlers({
-            pointermove: (event, at) => {
-              latest.current.onPoint(at.posAtCoords({ x: event.clientX, y: event.clientY }));
-            },
-            pointerleave: () => {
-              latest.current.onPoint(null);
-            },
+            pointermove: (event, at) => latest.current.onPoint(at.posAtCoords({ x: event.clientX, y: event.clientY })),
+            pointerleave: () => latest.current.onPoint(null),
           }),
           lllExtensions,
         ],

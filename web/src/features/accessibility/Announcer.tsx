@@ -5,12 +5,13 @@
 import { useEffect, useState } from "react";
 
 import { t } from "../../i18n/words";
-import type { StudioState } from "../../model/studio";
-import { useStudio } from "../../model/studio";
+import { type StudioState, useStudio } from "../../model/studio";
+import { currentDrawing, nodeOf } from "../../session/drawing";
 import { changesOf } from "../../session/members";
 import { type RunState, useRun } from "../../session/run";
+import { spoken, spokenArc } from "../../session/spoken";
 import { useView } from "../../session/view";
-import { arcWords, selectionWords } from "./selection";
+import { endAll } from "../../ui/effects";
 
 /** What happened, in words; "" for what need not be said. */
 export function changeWords({ change, redoLabel, undoLabel }: StudioState): string {
@@ -51,11 +52,7 @@ export function Announcer() {
     const offRun = useRun.subscribe((run, before) => {
       if (run.events !== before.events) say(teamWords(run, before));
     });
-    return () => {
-      offRun();
-      offChanges();
-      offArcs();
-    };
+    return endAll(offRun, offChanges, offArcs);
   }, []);
   // The same words twice are news twice: a space at their end makes them another text.
   return (
@@ -64,4 +61,24 @@ export function Announcer() {
       {said.times % 2 === 1 ? "\u00a0" : ""}
     </p>
   );
+}
+
+/**
+ * What is selected, in words, where the focus does not tell: an arc, several parts, or a part that was selected from
+ * elsewhere (a problem, the text, find). One part selected on the graph is said by the graph's active descendant.
+ */
+function arcWords(id: string | null): string {
+  const arc = currentDrawing()?.layout.arcs.find((one) => one.id === id);
+  return arc === undefined ? "" : spokenArc(arc);
+}
+
+/** "" for what need not be said. */
+function selectionWords(selection: readonly string[]): string {
+  const last = selection.at(-1);
+  const drawing = currentDrawing();
+  if (last === undefined || drawing === null) return "";
+  if (selection.length > 1) return t("inspector.many", { count: selection.length });
+  if (document.activeElement?.closest(".canvas, [role=tree]") != null) return "";
+  const node = nodeOf(drawing, last);
+  return node === undefined ? "" : t("reach.selected", { what: spoken(node) });
 }

@@ -1,7 +1,7 @@
 /** On a phone: which room is open under the graph. What a narrow page looks like is in narrow.css. */
 import { t } from "../../i18n/words";
 import { type Panel, useLayout } from "../../session/layout";
-import { toggleRoom, useNarrow } from "../../session/narrow";
+import { toggleRoom, useMobileRoom } from "../../session/narrow";
 import { enlargeStage, setBeside } from "../../session/stage";
 import { Icon } from "../../theme";
 
@@ -22,7 +22,7 @@ function open(room: Panel): void {
 }
 
 export function NarrowTabs() {
-  const chosen = useNarrow(({ room }) => room);
+  const chosen = useMobileRoom(({ room }) => room);
   return (
     <nav className="narrow-tabs" aria-label={t("view.panels")}>
       {ROOMS.map(([room, icon]) => (
@@ -31,9 +31,7 @@ export function NarrowTabs() {
           type="button"
           data-testid={`room-${room}`}
           aria-pressed={chosen === room}
-          onClick={() => {
-            open(room);
-          }}
+          onClick={() => open(room)}
         >
           <Icon name={icon} size={18} />
           {t(`view.${room}`)}

@@ -96,9 +96,7 @@ function Open({ drawing }: { drawing: Drawing }) {
             onFocus={() => {
               if (row.vertex !== null && row.vertex !== selected) go(index);
             }}
-            onClick={() => {
-              go(index);
-            }}
+            onClick={() => go(index)}
           >
             <bdi>{row.words}</bdi>
           </div>

@@ -1,38 +1,41 @@
 /** The place where the robots are: before a run as the mission starts, during a run as it goes. */
+import "./arena.css";
+
 import { type KeyboardEvent, useEffect, useRef, useState } from "react";
 
-import { isEnded, useRun } from "../../session/run";
-import { keyFor, keyIn } from "../../session/key-table";
-import { watchFrames } from "../../session/poses";
-import { useShown } from "../../session/simple-view";
-import { toggleText, useStage } from "../../session/stage";
-import { Seed } from "./Seed";
-import { useTheme } from "../../theme";
-import { decimal } from "../../i18n/numbers";
-import { t } from "../../i18n/words";
-import "./arena.css";
-import { EmptyArena } from "./EmptyArena";
 import { CROWD } from "../../components/scene/crowd-size";
 import { Painter } from "../../components/scene/painter";
+import type { Scene } from "../../components/scene/scene";
+import { decimal } from "../../i18n/numbers";
+import { t } from "../../i18n/words";
+import { KIND_ICONS } from "../../model/world/names";
+import { reportError } from "../../session/document";
+import { keyFor, keyIn } from "../../session/key-table";
+import { watchFrames } from "../../session/poses";
+import { isEnded, useRun } from "../../session/run";
+import { useShown } from "../../session/simple-view";
+import { toggleText, useStage } from "../../session/stage";
+import { openWorldWith } from "../../session/world-view";
+import { useTheme } from "../../theme";
+import { endAll } from "../../ui/effects";
+import { later } from "../../ui/later";
+import { Tool } from "../../ui/Tool";
+import { EmptyArena } from "./EmptyArena";
 import { ARENA_KEYS, PAGE_KEYS } from "./keys";
 import { openShown, toggleStage, useStageParts } from "./parts";
 import { choose, follow, openRobotMenu, useRobots } from "./robots";
 import type { Actor, Scene } from "../../components/scene/scene";
 import { namesPart } from "../../model/named-parts";
 import { useStudio } from "../../model/studio";
-import { complain } from "../../session/document";
-import { later } from "../../ui/later";
+import { Seed } from "./Seed";
 import { useArenaPointer } from "./use-arena-pointer";
 import { useScene, useSelected, useSummary } from "./use-scene";
-import { KIND_ICONS } from "../../model/world/names";
-import { openWorldWith } from "../../session/world-view";
-import { Tool } from "../../ui/Tool";
 
-const RobotMenu = later(() => import("./RobotMenu").then((chunk) => chunk.RobotMenu), complain);
-const Crowd = later(() => import("./Crowd").then((chunk) => chunk.Crowd), complain);
-const Hands = later(() => import("./Hands").then((chunk) => chunk.Hands), complain);
+const RobotMenu = later(() => import("./RobotMenu").then((chunk) => chunk.RobotMenu), reportError);
+const Crowd = later(() => import("./Crowd").then((chunk) => chunk.Crowd), reportError);
+const Hands = later(() => import("./Hands").then((chunk) => chunk.Hands), reportError);
 
-const Placing = later(() => import("./Placing").then((chunk) => chunk.Placing), complain);
+const Placing = later(() => import("./Placing").then((chunk) => chunk.Placing), reportError);
 
 /** One press of an arrow key. */
 const PAN_PX = 40;
@@ -161,25 +164,10 @@ export function Arena() {
       },
     );
     setPainter(made);
-    const watcher = new ResizeObserver(([entry]) => {
-      if (entry !== undefined) made.resize(entry.contentRect.width, entry.contentRect.height);
-    });
-    watcher.observe(box);
-    const offFrames = watchFrames(() => made.paintSoon());
-    // A wheel listener that may prevent scrolling cannot be passive, as React's are.
-    const onWheel = (event: WheelEvent) => {
-      event.preventDefault();
-      const place = drawn.getBoundingClientRect();
-      made.zoom(Math.exp(-event.deltaY * 0.0015), event.clientX - place.left, event.clientY - place.top);
-    };
-    drawn.addEventListener("wheel", onWheel, { passive: false });
-    void document.fonts?.ready.then(() => made.paintSoon());
-    return () => {
-      watcher.disconnect();
-      offFrames();
-      drawn.removeEventListener("wheel", onWheel);
-      made.end();
-    };
+    return endAll(
+      watchFrames(() => made.paintSoon()),
+      made.attachTo(box, drawn),
+    );
   }, []);
   useEffect(() => {
     if (scene !== null) painter?.setScene(scene, selected);

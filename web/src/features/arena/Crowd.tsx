@@ -9,6 +9,7 @@ import type { Scene } from "../../components/scene/scene";
 import { grouped } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { posesAt } from "../../session/poses";
+import { Select } from "../../ui/Select";
 import { highlightProgram, useRobots } from "./robots";
 
 export function Crowd({ scene }: { scene: Scene | null }) {
@@ -24,20 +25,17 @@ export function Crowd({ scene }: { scene: Scene | null }) {
   const failed = poses.reduce((sum, pose) => sum + ((pose.flags & FAILED) !== 0 ? 1 : 0), 0);
   return (
     <div className="arena-crowd row rigid" data-testid="crowd">
-      <select
-        className="field"
-        data-testid="crowd-program"
-        aria-label={t("arena.crowd-filter")}
+      <Select
+        label={t("arena.crowd-filter")}
+        testId="crowd-program"
         value={program}
-        onChange={(event) => highlightProgram(event.target.value)}
-      >
-        <option value="">{t("arena.crowd-all", { count: grouped(count) })}</option>
-        {programs.map(([name, of]) => (
-          <option key={name} value={name}>
-            {t("arena.crowd-of", { count: grouped(of), program: name })}
-          </option>
-        ))}
-      </select>
+        options={[
+          ["", t("arena.crowd-all", { count: grouped(count) })],
+          ...programs.map(([name, of]) => [name, t("arena.crowd-of", { count: grouped(of), program: name })] as const),
+        ]}
+        wrong={false}
+        keep={highlightProgram}
+      />
       {failed === 0 ? null : (
         <span className="side-note ellipsis muted small-text">
           {t("arena.crowd-failed", { count: grouped(failed) })}

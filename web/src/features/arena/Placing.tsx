@@ -2,6 +2,8 @@
  * Boxes, balls and walls are taken to another place in the arena itself, before a run: dragged with the mouse or a finger, or
  * taken with M and moved with the arrows, as robots are too. Each is one step of undo; a world of a file is copied first.
  */
+import "./placing.css";
+
 import { type RefObject, useEffect, useRef, useState } from "react";
 
 import { partsApi } from "../../api/parts";
@@ -20,9 +22,9 @@ import { shapeOf } from "../../model/world/shape";
 import { type Kind, partsOfKind, sameThing, type Thing } from "../../model/world/thing";
 import { keyIn } from "../../session/key-table";
 import { keepMoved } from "../../session/world-edits";
-import { announce } from "./robots";
+import { awaitAnswer, endAll, listen } from "../../ui/effects";
 import { ARENA_KEYS } from "./keys";
-import "./placing.css";
+import { announce } from "./robots";
 
 const KINDS: readonly Kind[] = ["ball", "box", "wall"];
 const [REACH_PX, CLICK_PX, RING_PX] = [8, 4, 26];
@@ -67,17 +69,8 @@ function usePlan(): OwnWorld | null {
   const of = `${path}\n${href}`;
   useEffect(() => {
     if (own !== null) return;
-    let wanted = true;
     // Whoever cannot have it moves the view instead; the list of problems says why.
-    partsApi.plan(path, href).then(
-      ({ world }) => {
-        if (wanted) setFetched({ of: `${path}\n${href}`, world });
-      },
-      () => undefined,
-    );
-    return () => {
-      wanted = false;
-    };
+    return awaitAnswer(partsApi.plan(path, href), ({ world }) => setFetched({ of: `${path}\n${href}`, world }));
   }, [own, href, path]);
   return own ?? (fetched?.of === of ? fetched.world : null);
 }
@@ -107,8 +100,8 @@ export function Placing({ painter, canvas: place, selected }: PlacingProps) {
       setTaken(null);
       if (event.button !== 0 || world === null) return;
       if (painter.actorAt(px, py) !== null || painter.keyAt(px, py) !== null) return;
-      const [x, y] = toWorld(painter.view, px, py);
-      const thing = thingAt(world, x, y, REACH_PX / painter.view.scale, KINDS);
+      const [x, y] = toWorld(painter.camera, px, py);
+      const thing = thingAt(world, x, y, REACH_PX / painter.camera.scale, KINDS);
       if (thing === null) return;
       event.stopPropagation();
       canvas.setPointerCapture(event.pointerId);
@@ -121,7 +114,7 @@ export function Placing({ painter, canvas: place, selected }: PlacingProps) {
       if (drag.draft === null && Math.hypot(px - drag.px, py - drag.py) < CLICK_PX) return;
       const anchor = anchorOf(drag.began, drag.thing);
       if (anchor === null) return;
-      const [x, y] = toWorld(painter.view, px, py);
+      const [x, y] = toWorld(painter.camera, px, py);
       const wanted = { x: anchor.x + x - drag.x, y: anchor.y + y - drag.y };
       const to = event.altKey
         ? { x: Math.round(wanted.x), y: Math.round(wanted.y) }
@@ -164,19 +157,8 @@ export function Placing({ painter, canvas: place, selected }: PlacingProps) {
       event.preventDefault();
       event.stopPropagation();
     };
-    canvas.addEventListener("pointerdown", onDown);
-    canvas.addEventListener("pointermove", onMove);
-    canvas.addEventListener("pointerup", onUp);
-    canvas.addEventListener("pointercancel", onCancel);
-    canvas.addEventListener("keydown", onKey);
-    return () => {
-      onCancel();
-      canvas.removeEventListener("pointerdown", onDown);
-      canvas.removeEventListener("pointermove", onMove);
-      canvas.removeEventListener("pointerup", onUp);
-      canvas.removeEventListener("pointercancel", onCancel);
-      canvas.removeEventListener("keydown", onKey);
-    };
+    const listeners = { pointerdown: onDown, pointermove: onMove, pointerup: onUp, pointercancel: onCancel };
+    return endAll(onCancel, listen(canvas, { ...listeners, keydown: onKey }));
   }, [painter, place]);
   return (
     <div hidden={taken === null} data-testid="arena-placing" data-ready={plan !== null}>
@@ -187,11 +169,11 @@ export function Placing({ painter, canvas: place, selected }: PlacingProps) {
 
 /** Around the thing that is taken, wherever the view goes. */
 function Ring({ painter, world, thing }: { painter: Painter; world: OwnWorld; thing: Thing }) {
-  const [view, setView] = useState(painter.view);
+  const [view, setView] = useState(painter.camera);
   useEffect(() => {
     let request = 0;
     const follow = () => {
-      setView(painter.view);
+      setView(painter.camera);
       request = requestAnimationFrame(follow);
     };
     follow();

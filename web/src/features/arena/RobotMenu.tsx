@@ -6,8 +6,8 @@ import { t } from "../../i18n/words";
 import { posesAt } from "../../session/poses";
 import { can, useRun } from "../../session/run";
 import { FloatingMenu } from "../../ui/FloatingMenu";
-import { type MenuEntry, menuItem } from "../../ui/menu-model";
-import { closeRobotMenu, follow, harm, useRobots } from "./robots";
+import { menuCheck, type MenuEntry, menuItem } from "../../ui/menu-model";
+import { closeRobotMenu, follow, injectFault, useRobots } from "./robots";
 
 export function RobotMenu({ onClosed }: { onClosed: () => void }) {
   const menu = useRobots((state) => state.menu);
@@ -26,13 +26,19 @@ export function entriesOf(name: string, on: boolean): MenuEntry[] {
   const { followed } = useRobots.getState();
   return [
     ...(on ? [] : [{ kind: "heading", id: "harm-needs-run", label: t("harm.needs-run") } as const]),
-    menuItem("harm-fail", t("harm.fail"), null, () => harm(name, "fail"), !on || (flags & FAILED) !== 0),
-    menuItem("harm-stall", t("harm.stall"), null, () => harm(name, "stall"), !on || isDown),
-    menuItem("harm-mute", t("harm.mute"), null, () => harm(name, "mute"), !on || isMuted),
-    ...(byRadio ? [menuItem("harm-apart", t("harm.apart"), null, () => harm(name, "apart"), !on)] : []),
-    menuItem("harm-revive", t("harm.revive"), null, () => harm(name, "revive"), !on || !(isDown || isMuted || byRadio)),
+    menuItem("harm-fail", t("harm.fail"), null, () => injectFault(name, "fail"), !on || (flags & FAILED) !== 0),
+    menuItem("harm-stall", t("harm.stall"), null, () => injectFault(name, "stall"), !on || isDown),
+    menuItem("harm-mute", t("harm.mute"), null, () => injectFault(name, "mute"), !on || isMuted),
+    ...(byRadio ? [menuItem("harm-apart", t("harm.apart"), null, () => injectFault(name, "apart"), !on)] : []),
+    menuItem(
+      "harm-revive",
+      t("harm.revive"),
+      null,
+      () => injectFault(name, "revive"),
+      !on || !(isDown || isMuted || byRadio),
+    ),
     { kind: "line", id: "harm-1" },
-    { kind: "check", id: "harm-follow", label: t("harm.follow"), checked: followed === name, run: () => follow(name) },
+    menuCheck("harm-follow", t("harm.follow"), followed === name, () => follow(name)),
   ];
 }
 

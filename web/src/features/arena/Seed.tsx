@@ -8,7 +8,7 @@ import "./seed.css";
 import { NumberInput } from "../../components/fields/NumberInput";
 import { decimal } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
-import { areReal, isLive, setSeed, useRun } from "../../session/run";
+import { isHardwareRun, isLive, setSeed, useRun } from "../../session/run";
 import { Icon } from "../../theme";
 import { Tool } from "../../ui/Tool";
 
@@ -23,7 +23,7 @@ export function Seed() {
   const failRate = useRun((run) => run.failRate);
   const live = useRun((run) => isLive(run.status));
   // Chance has no seed where real robots run.
-  const real = useRun((run) => (run.recording || isLive(run.status)) && areReal(run.agents));
+  const real = useRun((run) => (run.recording || isLive(run.status)) && isHardwareRun(run.agents));
   if (real) return null;
   return (
     <span className="seed">

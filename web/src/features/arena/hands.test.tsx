@@ -19,12 +19,12 @@ const SLIDERS = [{ sensor: "Moisture", label: "Moisture", value: 70, min: 0, max
 
 let page: Mounted;
 let hands: HandsOf;
-const [force, harm, closed] = [vi.fn(), vi.fn(), vi.fn()];
+const [force, injectFault, closed] = [vi.fn(), vi.fn(), vi.fn()];
 
 beforeEach(async () => {
   furnish();
   await moreWords();
-  useRun.setState({ force, harm, agents: [{ name: "b" } as RunAgent] });
+  useRun.setState({ force, injectFault, agents: [{ name: "b" } as RunAgent] });
   page = mount(
     <>
       <Hands agent="b" keys={KEYS} sliders={SLIDERS} />
@@ -35,7 +35,7 @@ beforeEach(async () => {
 });
 afterEach(() => {
   page.end();
-  for (const one of [force, harm, closed]) one.mockClear();
+  for (const one of [force, injectFault, closed]) one.mockClear();
   clearFrames();
   useRun.setState(useRun.getInitialState());
   useHands.setState({ held: [] });
@@ -88,7 +88,11 @@ describe("in a run", () => {
   it("the menu of a robot lets it fail and come back, and gives the focus back", () => {
     page.act(() => openRobotMenu("b", 0, 0));
     hands.click("menu-harm-fail");
-    expect([harm.mock.lastCall, closed.mock.calls.length, hands.has("robot-menu")]).toEqual([["b", "fail"], 1, false]);
+    expect([injectFault.mock.lastCall, closed.mock.calls.length, hands.has("robot-menu")]).toEqual([
+      ["b", "fail"],
+      1,
+      false,
+    ]);
   });
 
   it.each([

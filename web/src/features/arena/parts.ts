@@ -3,7 +3,7 @@ import { useEffect } from "react";
 import { create } from "zustand";
 
 import { moreWords } from "../../i18n/words";
-import { complain, useDocument } from "../../session/document";
+import { reportError, useDocument } from "../../session/document";
 import { useRun } from "../../session/run";
 import { useStage } from "../../session/stage";
 import type * as Stage from "./stage";
@@ -28,12 +28,12 @@ function fetchStage(): Promise<typeof Stage> {
 
 /** Makes the arena large and the program small, and back; a sheet that is open keeps the page as it is. */
 export function toggleStage(): void {
-  if (useDocument.getState().overlay === null) void fetchStage().then((stage) => stage.toggle(), complain);
+  if (useDocument.getState().overlay === null) void fetchStage().then((stage) => stage.toggle(), reportError);
 }
 
 /** Opens the menu of what the arena shows, at a place of the window. */
 export function openShown(x: number, y: number): void {
-  void fetchStage().then((stage) => stage.openShown(x, y), complain);
+  void fetchStage().then((stage) => stage.openShown(x, y), reportError);
 }
 
 /** The parts, once they are there: they are fetched when the arena is large, and when something runs. */
@@ -41,7 +41,7 @@ export function useStageParts(): typeof Stage | null {
   const wanted = useRun((run) => run.status !== "idle");
   const large = useStage((stage) => stage.large);
   useEffect(() => {
-    if (wanted || large) void fetchStage().catch(complain);
+    if (wanted || large) void fetchStage().catch(reportError);
   }, [wanted, large]);
   return useParts((parts) => parts.stage);
 }

@@ -48,8 +48,8 @@ export function stopFollowing(): void {
   useRobots.setState({ followed: "" });
 }
 
-export function harm(name: string, kind: Harm): void {
-  useRun.getState().harm(name, kind);
+export function injectFault(name: string, kind: Harm): void {
+  useRun.getState().injectFault(name, kind);
 }
 
 /** Keeps a robot in the middle of the arena, or lets it go when it is there already. */

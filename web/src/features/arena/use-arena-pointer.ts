@@ -98,7 +98,7 @@ export function useArenaPointer(
   };
   const drop = (actor: string, event: PointerEvent<HTMLCanvasElement>) => {
     const place = event.currentTarget.getBoundingClientRect();
-    const [x, y] = toWorld(painter?.view ?? NOWHERE, event.clientX - place.left, event.clientY - place.top);
+    const [x, y] = toWorld(painter?.camera ?? NOWHERE, event.clientX - place.left, event.clientY - place.top);
     const grid = event.altKey ? 1 : GRID_MM;
     const agent = useStudio.getState().mission.agents.find((one) => one.name === actor);
     if (agent === undefined) return;

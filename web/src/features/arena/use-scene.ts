@@ -12,7 +12,7 @@ import {
 } from "../../components/scene/scene";
 import { useStudio } from "../../model/studio";
 import { posesAt, watchFrames } from "../../session/poses";
-import { areReal, isLive, useRun } from "../../session/run";
+import { isHardwareRun, isLive, useRun } from "../../session/run";
 import { summary } from "./summary";
 
 const SPOKEN_MS = 250;
@@ -36,7 +36,7 @@ export function useScene(): Scene | null {
   );
   // Robots that stand still give way to the mission again; a recording stays.
   const shown = run.real ? isLive(run.status) : !edited;
-  const real = shown && areReal(agents);
+  const real = shown && isHardwareRun(agents);
   const place = real ? (world ?? ownWorld) : null;
   const unplaced = useMemo(() => (place === null ? null : sceneOfReal(place)), [place]);
   const seen = useMemo(

@@ -3,8 +3,8 @@ import { useEffect, useMemo, useRef, useState } from "react";
 
 import { t } from "../../i18n/words";
 import { wraps } from "../../model/commands/wrapParts";
-import { fits, type Shape, title } from "../../model/parts";
 import { rank } from "../../model/part-search";
+import { fits, type Shape, title } from "../../model/parts";
 import { text } from "../../model/texts";
 import type { Drawing } from "../../session/drawing";
 import { addPart, addPartAt, wrapSelection } from "../../session/edits";
@@ -127,15 +127,11 @@ export function AddPopup({ adding, drawing }: { adding: Adding; drawing: Drawing
               aria-selected={index === at}
               data-testid={`add-${shape.element}`}
               title={text(shape.help)}
-              onPointerDown={(event) => {
-                event.preventDefault();
-              }}
+              onPointerDown={(event) => event.preventDefault()}
               onPointerMove={() => {
                 if (index !== at) setAt(index);
               }}
-              onClick={() => {
-                add(shape);
-              }}
+              onClick={() => add(shape)}
             >
               <Tile icon={shape.icon} colour={shape.colour} size={22} />
               {title(shape)}

@@ -1,4 +1,6 @@
 /** What sits on a vertex's edge: its mark, the threads that stand on it, and what is wrong with it. */
+import "./breakpoint-sign.css";
+
 import { StateShape } from "../../components/StateShape";
 import { t } from "../../i18n/words";
 import type { LayoutNode } from "../../model/layout";
@@ -6,18 +8,18 @@ import { otherNotes } from "../../model/notes";
 import { title } from "../../model/parts";
 import { shortName } from "../../model/short-name";
 import { useStudio } from "../../model/studio";
-import { complain } from "../../session/document";
-import { useMarkAt } from "../../session/guilty";
+import { useBreakpoint } from "../../session/breakpoints";
+import { useMarkAt } from "../../session/counterexample";
+import { reportError } from "../../session/document";
 import { useRun } from "../../session/run";
 import { Icon } from "../../theme";
 import { later } from "../../ui/later";
-import { BreakpointSign } from "./BreakpointSign";
 import { NoteStrip } from "./Notes";
 import { useTroubled, useTroubles } from "./problem-badges";
 
-const Meeting = later(() => import("./Meeting").then((chunk) => chunk.Meeting), complain);
+const Meeting = later(() => import("./Meeting").then((chunk) => chunk.Meeting), reportError);
 
-const GuiltyVertex = later(() => import("./GuiltyVertex").then((chunk) => chunk.GuiltyVertex), complain);
+const GuiltyVertex = later(() => import("./GuiltyVertex").then((chunk) => chunk.GuiltyVertex), reportError);
 
 /** Where members of the team wait for others, who is there and who is missing. */
 function MeetingAt({ vertex }: { vertex: string }) {
@@ -124,5 +126,32 @@ export function Trouble({ id }: { id: string }) {
     <span className="trouble" data-severity={worst.severity} data-testid={`problem-${id}`} title={says}>
       <Icon name={SIGNS[worst.severity]} size={14} label={t("graph.problem", { message: says })} />
     </span>
+  );
+}
+
+/** The sign at the edge of a vertex that a run pauses there: full when it is on, hollow when it is off. */
+function BreakpointSign({ node }: { node: LayoutNode }) {
+  const breakpoint = useBreakpoint(node);
+  const reached = useRun(({ hits }) => hits.some((hit) => hit.vertex === breakpoint?.vertex));
+  if (breakpoint === undefined) return null;
+  const { when = "", hits = 1, enabled = true, agents = [] } = breakpoint;
+  const says = [
+    t(enabled ? "debug.breakpoint" : "debug.breakpoint-off"),
+    when === "" ? "" : t("debug.says-when", { when }),
+    hits === 1 ? "" : t("debug.says-hits", { hits }),
+    agents.length === 0 ? "" : agents.join(", "),
+  ];
+  const label = says.filter((one) => one !== "").join(" · ");
+  return (
+    <span
+      className="breakpoint"
+      role="img"
+      aria-label={label}
+      title={label}
+      data-testid={`breakpoint-${node.vertex}`}
+      data-off={!enabled}
+      data-more={when !== "" || hits !== 1 || agents.length > 0}
+      data-reached={reached}
+    />
   );
 }

@@ -8,10 +8,12 @@ import "./canvas.css";
 import "./vertex.css";
 
 import { useEffect, useRef } from "react";
+import { createPortal } from "react-dom";
 
 import { t } from "../../i18n/words";
+import { title } from "../../model/parts";
 import { useStudio } from "../../model/studio";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { setResolver, useDrag } from "../../session/drag";
 import { currentDrawing, type Drawing, nodeOf, useDrawing } from "../../session/drawing";
 import {
@@ -23,7 +25,8 @@ import {
   targetInLayout,
   wrapTarget,
 } from "../../session/targets";
-import { dropArc, useView } from "../../session/view";
+import { dropArc, sayOnCanvas, useView } from "../../session/view";
+import { Icon, Tile } from "../../theme";
 import { later } from "../../ui/later";
 import { ActiveVertices } from "./active";
 import { AddPopup } from "./AddPopup";
@@ -31,7 +34,6 @@ import { CameraContext, useCamera } from "./camera";
 import { useClipboard } from "./clipboard";
 import { useContextMenu } from "./context";
 import { useEdgePan } from "./edgePan";
-import { Ghost } from "./Ghost";
 import { useCanvasKeys } from "./keys";
 import { Lines } from "./Lines";
 import { Marquee } from "./Marquee";
@@ -39,18 +41,17 @@ import { Nodes } from "./Nodes";
 import { Pane } from "./Pane";
 import { usePart } from "./part";
 import { usePlain } from "./Plain";
-import { Said } from "./Said";
 import { useFirstCamera, useViewport } from "./viewport";
 import { leastZoom } from "./zoom-range";
 import { ZoomControl } from "./ZoomControl";
 
-const ContextMenu = later(() => import("./ContextMenu").then((chunk) => chunk.ContextMenu), complain);
-const Pinch = later(() => import("./pinch").then((chunk) => chunk.Pinch), complain);
-const NoteEditor = later(() => import("./NoteEditor").then((chunk) => chunk.NoteEditor), complain, { typing: true });
-const Find = later(() => import("./Find").then((chunk) => chunk.Find), complain, { typing: true });
-const InPlace = later(() => import("./InPlace").then((chunk) => chunk.InPlace), complain, { typing: true });
-const Minimap = later(() => import("./Minimap").then((chunk) => chunk.Minimap), complain);
-const EmptyTeaching = later(() => import("./EmptyTeaching").then((chunk) => chunk.EmptyTeaching), complain, {
+const ContextMenu = later(() => import("./ContextMenu").then((chunk) => chunk.ContextMenu), reportError);
+const Pinch = later(() => import("./pinch").then((chunk) => chunk.Pinch), reportError);
+const NoteEditor = later(() => import("./NoteEditor").then((chunk) => chunk.NoteEditor), reportError, { typing: true });
+const Find = later(() => import("./Find").then((chunk) => chunk.Find), reportError, { typing: true });
+const InPlace = later(() => import("./InPlace").then((chunk) => chunk.InPlace), reportError, { typing: true });
+const Minimap = later(() => import("./Minimap").then((chunk) => chunk.Minimap), reportError);
+const EmptyTeaching = later(() => import("./EmptyTeaching").then((chunk) => chunk.EmptyTeaching), reportError, {
   words: false,
 });
 
@@ -169,4 +170,53 @@ function useDropTargets(root: React.RefObject<HTMLDivElement | null>): void {
       setResolver(() => null);
     };
   }, [camera, root]);
+}
+
+/** What follows the pointer during a drag. */
+function Ghost() {
+  const payload = useDrag((state) => state.payload);
+  const { x, y } = useDrag((state) => state.at);
+  const copy = useDrag((state) => state.copy);
+  const aside = useDrag((state) => state.target?.place.kind === "void");
+  const drawing = useDrawing();
+  if (payload === null || drawing === null) return null;
+  const shape = drawing.parts.shape(payload.element);
+  const many = payload.kind === "vertices" && payload.ids.length > 1 ? ` +${String(payload.ids.length - 1)}` : "";
+  return createPortal(
+    <div
+      className="ghost"
+      style={{ transform: `translate(${String(x + 10)}px, ${String(y + 12)}px)` }}
+      data-colour={shape.colour}
+    >
+      <Tile icon={shape.icon} colour={shape.colour} size={22} />
+      <strong>
+        {title(shape)}
+        {many}
+      </strong>
+      {copy && payload.kind === "vertices" ? <span className="ghost-plus">+</span> : null}
+      {aside ? <span className="ghost-aside">{t("graph.park-here")}</span> : null}
+    </div>,
+    document.body,
+  );
+}
+
+/** What the canvas has to say about the last thing that was tried: a sentence, gone at the next change. */
+function Said() {
+  const said = useView((state) => state.said);
+  useEffect(
+    () =>
+      useStudio.subscribe((state, before) => {
+        if (state.mission !== before.mission || state.activeProgram !== before.activeProgram) sayOnCanvas("");
+      }),
+    [],
+  );
+  return (
+    <div className="said" role="status" data-testid="said" hidden={said === ""}>
+      <Icon name="info" size={16} />
+      <span>{said}</span>
+      <button type="button" aria-label={t("graph.close")} title={t("graph.close")} onClick={() => sayOnCanvas("")}>
+        <Icon name="x" size={14} />
+      </button>
+    </div>
+  );
 }

@@ -1,16 +1,16 @@
 /** Under a new program: what to do first, four parts to begin with, and what other features add (tutorials, examples). */
 import { PanelSlot } from "../../components/Slot";
+import { handKey } from "../../i18n/touch";
+import { t } from "../../i18n/words";
 import { firstParts } from "../../model/part-groups";
 import { shortTitle } from "../../model/parts";
 import { firstSentence, text } from "../../model/texts";
-import { Tile } from "../../theme";
-import { handKey } from "../../i18n/touch";
-import { t } from "../../i18n/words";
 import { useDocument } from "../../session/document";
 import { beginDrag, justDragged } from "../../session/drag";
 import type { Drawing } from "../../session/drawing";
 import { addPartAt } from "../../session/edits";
 import { openRoom } from "../../session/narrow";
+import { Tile } from "../../theme";
 
 const MOST_LETTERS = 44;
 
@@ -34,9 +34,7 @@ export function EmptyTeaching({ drawing }: { drawing: Drawing }) {
             <button
               type="button"
               data-testid={`first-${shape.element}`}
-              onPointerDown={(event) => {
-                beginDrag(event, { kind: "part", element: shape.element });
-              }}
+              onPointerDown={(event) => beginDrag(event, { kind: "part", element: shape.element })}
               onClick={() => {
                 if (justDragged()) return;
                 addPartAt({ kind: "arc", source: start, out: "next" }, shape.element);

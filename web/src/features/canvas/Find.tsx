@@ -111,12 +111,8 @@ export function Find() {
             role="option"
             aria-selected={index === current}
             data-testid={`find-hit-${String(index + 1)}`}
-            onPointerDown={(event) => {
-              event.preventDefault();
-            }}
-            onClick={() => {
-              go(index);
-            }}
+            onPointerDown={(event) => event.preventDefault()}
+            onClick={() => go(index)}
           >
             <Tile icon={hit.shape.icon} colour={hit.shape.colour} size={22} />
             <span className="find-words">

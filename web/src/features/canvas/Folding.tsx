@@ -57,9 +57,7 @@ export function FoldedWords({ node }: { node: LayoutNode }) {
       aria-expanded="false"
       title={t("graph.unfold", { name: named(node.vertex) })}
       tabIndex={-1}
-      onPointerDown={(event) => {
-        event.stopPropagation();
-      }}
+      onPointerDown={(event) => event.stopPropagation()}
       onClick={(event) => {
         event.stopPropagation();
         holdingStill(() => {

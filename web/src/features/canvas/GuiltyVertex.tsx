@@ -1,17 +1,18 @@
 /** On a vertex at which a property is broken: a cross at its corner, ∞ and the robot, and a sentence above or beside it. */
+import "./guilty.css";
+
 import { type CSSProperties, useEffect, useRef, useState } from "react";
 
 import { grouped } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { shortName } from "../../model/short-name";
-import type { GuiltyMark } from "../../session/guilty";
+import type { CounterexampleMark } from "../../session/counterexample";
 import { Icon } from "../../theme";
-import "./guilty.css";
 
 const SHOWN_STEPS = 3;
 
-export function GuiltyVertex({ mark }: { mark: GuiltyMark }) {
+export function GuiltyVertex({ mark }: { mark: CounterexampleMark }) {
   const { sentence, robots, repeats, steps } = mark;
   const names = robots.map(shortName).join(" ");
   const last = steps.slice(-SHOWN_STEPS).map((step) => grouped(step));

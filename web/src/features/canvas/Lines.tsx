@@ -2,19 +2,25 @@
 import { type CSSProperties, memo, useMemo } from "react";
 
 import { t } from "../../i18n/words";
-import { headPath, type LayoutArc, type LayoutFrame, type Point, roundedPath } from "../../model/layout";
-import { complain } from "../../session/document";
+import {
+  headPath,
+  type LayoutArc,
+  type LayoutFrame,
+  type LayoutLeap,
+  type Point,
+  roundedPath,
+} from "../../model/layout";
+import { reportError } from "../../session/document";
 import { justDragged, useDrag } from "../../session/drag";
 import { currentDrawing, type Drawing } from "../../session/drawing";
 import { spokenArc } from "../../session/spoken";
 import { useView } from "../../session/view";
 import { later } from "../../ui/later";
-import { Leaps } from "./BreakEdges";
 import { FoldControls } from "./Folding";
 import { useMoved } from "./moved";
 import { boxInside, type Part } from "./part";
 
-const Lanes = later(() => import("./Lanes").then((chunk) => chunk.Lanes), complain);
+const Lanes = later(() => import("./Lanes").then((chunk) => chunk.Lanes), reportError);
 
 function arcInside({ points }: Pick<LayoutArc, "points">, { x0, y0, x1, y1 }: Part): boolean {
   let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
@@ -152,3 +158,25 @@ function moving(path: string): CSSProperties {
 function shift({ x, y }: Point): string {
   return `translate(${String(x)}px, ${String(y)}px)`;
 }
+
+/** Where a Break leads: lines on lanes of their own. They are to be seen, not to be dropped on (model/layout/break-edges.ts). */
+const Leaps = memo(function Leaps({ leaps }: { leaps: readonly LayoutLeap[] }) {
+  return leaps.map(({ source, points, colour, label }) => {
+    const path = roundedPath(points, true);
+    const head = headPath(points);
+    return (
+      <g key={source} className="arc leap" data-colour={colour} data-testid={`leap-${source}`}>
+        <path className="arc-line" d={path} style={{ d: `path("${path}")` }} />
+        <path className="arc-head" d={head} style={{ d: `path("${head}")` }} />
+        <text
+          className="arc-label"
+          style={{ transform: `translate(${String(label.x)}px, ${String(label.y)}px)` }}
+          textAnchor={label.anchor}
+          dominantBaseline="central"
+        >
+          {label.text}
+        </text>
+      </g>
+    );
+  });
+});

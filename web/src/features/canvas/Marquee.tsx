@@ -5,6 +5,7 @@ import type { Point } from "../../model/layout";
 import { useStudio } from "../../model/studio";
 import { currentDrawing, type Drawing } from "../../session/drawing";
 import { holdingStill, useView } from "../../session/view";
+import { endAll, listen } from "../../ui/effects";
 import { useCamera } from "./camera";
 
 interface Rect {
@@ -50,13 +51,9 @@ export function Marquee({ root }: { root: RefObject<HTMLDivElement | null> }) {
         if (wanted.length !== selection.length || wanted.some((id, at) => id !== selection[at])) select(wanted);
       });
     };
-    const forget = () => {
-      window.removeEventListener("pointermove", move);
-      window.removeEventListener("pointerup", end);
-      window.removeEventListener("pointercancel", end);
-    };
+    let endFollowing = () => {};
     const end = () => {
-      forget();
+      endFollowing();
       setBox(null);
       useView.getState().viewport?.focus();
     };
@@ -67,22 +64,14 @@ export function Marquee({ root }: { root: RefObject<HTMLDivElement | null> }) {
       event.preventDefault();
       from = { x: event.clientX, y: event.clientY };
       before = useStudio.getState().selection;
-      window.addEventListener("pointermove", move);
-      window.addEventListener("pointerup", end);
-      window.addEventListener("pointercancel", end);
+      endFollowing = listen(window, { pointermove: move, pointerup: end, pointercancel: end });
     };
     // The click at the end does not clear the selection.
     const click = (event: MouseEvent) => {
       if (event.shiftKey && event.target instanceof Element && event.target.classList.contains("canvas-pane"))
         event.stopPropagation();
     };
-    canvas.addEventListener("mousedown", down, true);
-    canvas.addEventListener("click", click, true);
-    return () => {
-      forget();
-      canvas.removeEventListener("mousedown", down, true);
-      canvas.removeEventListener("click", click, true);
-    };
+    return endAll(() => endFollowing(), listen(canvas, { mousedown: down, click }, { capture: true }));
   }, [camera, root]);
 
   return box === null ? null : (

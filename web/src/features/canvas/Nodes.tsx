@@ -1,8 +1,10 @@
 /** The vertices of the graph. Each takes its place and size from the layout. */
 import { memo, useMemo } from "react";
 
+import { hasCoarsePointer } from "../../i18n/touch";
 import { t } from "../../i18n/words";
 import type { Layout, LayoutNode } from "../../model/layout";
+import { isMark } from "../../model/parts";
 import type { Block } from "../../model/structure";
 import { useStudio } from "../../model/studio";
 import { chipOf } from "../../model/vertex-content";
@@ -16,8 +18,6 @@ import { NoteStrip } from "./Notes";
 import { boxInside, type Part } from "./part";
 import { PlainNode } from "./Plain";
 import { ChipView, selectVertex, Vertex } from "./Vertex";
-import { waitedVertices } from "./waiting";
-import { hasCoarsePointer } from "../../i18n/touch";
 
 /** Those that stand in a part of the graph; `plain` as they are looked at from far away. */
 export function Nodes({ layout, part, plain }: { layout: Layout; part: Part; plain: boolean }) {
@@ -72,9 +72,7 @@ function Terminal({ node }: { node: LayoutNode }) {
       aria-label={name}
       aria-current={selected}
       style={{ width: w, height: h }}
-      onClick={(event) => {
-        selectVertex(id, event);
-      }}
+      onClick={(event) => selectVertex(id, event)}
     >
       <svg width="12" height="12" viewBox="0 0 12 12" aria-hidden="true">
         <path
@@ -109,9 +107,7 @@ function Bar({ node }: { node: LayoutNode }) {
       aria-current={selected}
       aria-hidden={first ? undefined : true}
       style={{ width: w, height: h }}
-      onPointerDown={(event) => {
-        beginDrag(event, { kind: "vertices", ids: [id], element: block?.shape.element ?? "" });
-      }}
+      onPointerDown={(event) => beginDrag(event, { kind: "vertices", ids: [id], element: block?.shape.element ?? "" })}
       onClick={(event) => {
         if (!justDragged()) selectVertex(id, event);
       }}
@@ -191,4 +187,22 @@ function FirstPlace({ node: { id, colour, w, h } }: { node: LayoutNode }) {
       )}
     </button>
   );
+}
+
+/**
+ * The vertices on which the threads stand that a parallel waits for. A branch with a mark in it is abandoned when the
+ * others have ended, so it is not waited for, unless all branches are such. What runs inside a parallel further in has
+ * threads of its own; for that one, only its own vertex counts.
+ */
+export function waitedVertices(parallel: Block): string[] {
+  const branches = parallel.bodies.map((body) => body.chain.flatMap(standing));
+  const firm = branches.filter((blocks) => !blocks.some(({ shape }) => isMark(shape)));
+  return (firm.length > 0 ? firm : branches).flat().map(({ vertex }) => vertex.id);
+}
+
+function standing(block: Block): Block[] {
+  const plugged = block.plugs.flatMap((plug) => (plug.block === null ? [] : standing(plug.block)));
+  const parallel = block.shape.flows.some((flow) => flow.repeat);
+  const inside = parallel ? [] : block.bodies.flatMap((body) => body.chain.flatMap(standing));
+  return [block, ...plugged, ...inside];
 }

@@ -57,12 +57,8 @@ export function NoteEditor({ id, program }: { id: string; program: string }) {
         aria-describedby="note-keys"
         placeholder={t("inspector.note-hint")}
         value={text}
-        onChange={(event) => {
-          setText(event.target.value);
-        }}
-        onBlur={() => {
-          closeNote();
-        }}
+        onChange={(event) => setText(event.target.value)}
+        onBlur={() => closeNote()}
         onKeyDown={(event) => {
           if (event.nativeEvent.isComposing) return;
           if (event.key === "Escape") latest.current.forget = true;

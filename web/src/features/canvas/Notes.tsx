@@ -69,9 +69,7 @@ export function NoteStrip({ node: { note, noteWidth, w, vertex } }: { node: Layo
       aria-label={t("graph.note", { text: note })}
       tabIndex={-1}
       style={{ width: noteWidth, insetInlineStart: (w - noteWidth) / 2 }}
-      onPointerDown={(event) => {
-        event.stopPropagation();
-      }}
+      onPointerDown={(event) => event.stopPropagation()}
       onClick={(event) => {
         event.stopPropagation();
         holdingStill(() => {

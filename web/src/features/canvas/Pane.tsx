@@ -5,6 +5,7 @@
 import { type PointerEvent, type ReactNode, useEffect, useLayoutEffect, useRef } from "react";
 
 import { restFollowing } from "../../session/view";
+import { endAll, listen } from "../../ui/effects";
 import { type Camera, useCamera, zoomed } from "./camera";
 import { MOST_ZOOM } from "./zoom-range";
 
@@ -53,10 +54,7 @@ export function Pane(props: { least: number; dots: boolean; onPress: () => void;
       const next = Math.min(MOST_ZOOM, Math.max(least, zoom * wheelFactor(event)));
       camera.jump(zoomed(camera.now(), next, { x: event.clientX - left, y: event.clientY - top }));
     };
-    ground.addEventListener("wheel", turn, { passive: false });
-    return () => {
-      ground.removeEventListener("wheel", turn);
-    };
+    return listen(ground, { wheel: turn }, { passive: false });
   }, [camera, least]);
 
   useEffect(() => () => end.current?.(), []);
@@ -89,19 +87,16 @@ export function Pane(props: { least: number; dots: boolean; onPress: () => void;
       if (next.pointerId === pointerId) finish();
     };
     const finish = () => {
-      window.removeEventListener("pointermove", move);
-      window.removeEventListener("pointerup", lift);
-      window.removeEventListener("pointercancel", lift);
-      window.removeEventListener("pointerdown", finish, true);
+      endListening();
       delete ground.dataset["moving"];
       end.current = null;
     };
     end.current = finish;
-    window.addEventListener("pointermove", move);
-    window.addEventListener("pointerup", lift);
-    window.addEventListener("pointercancel", lift);
-    // A second finger zooms, which ends what the first one began.
-    window.addEventListener("pointerdown", finish, true);
+    const endListening = endAll(
+      listen(window, { pointermove: move, pointerup: lift, pointercancel: lift }),
+      // A second finger zooms, which ends what the first one began.
+      listen(window, { pointerdown: finish }, { capture: true }),
+    );
   };
 
   return (

@@ -5,7 +5,7 @@ import { ChoicePicture } from "../../components/ChoicePicture";
 import type { LayoutNode } from "../../model/layout";
 import { useStudio } from "../../model/studio";
 import { type Box, type Chip, chipWidth, faceWidth, MOST_CHIP, PICTURE } from "../../model/vertex-content";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { beginDrag, justDragged, useDrag } from "../../session/drag";
 import { useRun } from "../../session/run";
 import { spoken } from "../../session/spoken";
@@ -34,7 +34,7 @@ export function dragVertices(event: PointerEvent, id: string, element: string): 
   beginDrag(event, { kind: "vertices", ids: selection.includes(id) ? selection : [id], element });
 }
 
-const LiveValue = later(() => import("./LiveValue").then((chunk) => chunk.LiveValue), complain);
+const LiveValue = later(() => import("./LiveValue").then((chunk) => chunk.LiveValue), reportError);
 
 export const Vertex = memo(function Vertex({ node }: { node: LayoutNode }) {
   const { vertex: id, face, block, kind, w, h, colour } = node;
@@ -67,9 +67,7 @@ export const Vertex = memo(function Vertex({ node }: { node: LayoutNode }) {
       aria-label={spoken(node)}
       aria-current={selected}
       style={{ width: w, height: h }}
-      onPointerDown={(event) => {
-        dragVertices(event, id, block.shape.element);
-      }}
+      onPointerDown={(event) => dragVertices(event, id, block.shape.element)}
       onClick={(event) => {
         if (!justDragged()) selectVertex(id, event);
       }}

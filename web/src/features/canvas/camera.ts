@@ -69,9 +69,7 @@ export function createCamera(first: Camera, size: Size) {
       const { x, y, zoom } = now();
       jump({ x: x + dx, y: y + dy, zoom });
     },
-    resize: (size: Size) => {
-      store.setState(size);
-    },
+    resize: (size: Size) => store.setState(size),
     /** A point of the graph, in px from the corner of the canvas. */
     place: (point: Point): Point => {
       const { x, y, zoom } = now();

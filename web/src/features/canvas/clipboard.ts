@@ -18,6 +18,7 @@ import type { Program } from "../../model/types";
 import { currentDrawing } from "../../session/drawing";
 import { deleteSelection, edit } from "../../session/edits";
 import { sayOnCanvas, useView } from "../../session/view";
+import { listen } from "../../ui/effects";
 
 const PIECE = "application/x-kitrobot-piece";
 
@@ -143,13 +144,6 @@ export function useClipboard(): void {
         if (!pastePiece(piece)) say(t("paste.nothing"));
       } else void pasteText(clipboardData.getData("text/plain"));
     };
-    document.addEventListener("copy", onCopy);
-    document.addEventListener("cut", onCopy);
-    document.addEventListener("paste", onPaste);
-    return () => {
-      document.removeEventListener("copy", onCopy);
-      document.removeEventListener("cut", onCopy);
-      document.removeEventListener("paste", onPaste);
-    };
+    return listen(document, { copy: onCopy, cut: onCopy, paste: onPaste });
   }, []);
 }

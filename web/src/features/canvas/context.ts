@@ -11,10 +11,9 @@ import { useStudio } from "../../model/studio";
 import { cancelDrag } from "../../session/drag";
 import { currentDrawing } from "../../session/drawing";
 import { holdingStill, openCanvasMenu, useView } from "../../session/view";
+import { endAll, listen } from "../../ui/effects";
+import { onLongPress } from "../../ui/long-press";
 import { anchorOf } from "./viewport";
-
-const REST_MS = 550;
-const STILL_PX = 8;
 
 /** The vertex under the pointer: a chip stands for what fills it. */
 function vertexAt(element: Element): string | null {
@@ -81,49 +80,33 @@ export function useContextMenu(root: RefObject<HTMLDivElement | null>): void {
   useEffect(() => {
     const canvas = root.current;
     if (canvas === null) return;
-    let rest: ReturnType<typeof setTimeout> | undefined;
-    let from: Point = { x: 0, y: 0 };
+    let endRest = () => {};
     const fitting = (target: EventTarget | null): target is Element =>
       target instanceof Element && target.closest("input, [role=dialog], .zoom, .find") === null;
 
     const onContextMenu = (event: MouseEvent) => {
       if (!fitting(event.target)) return;
       event.preventDefault();
-      clearTimeout(rest);
+      endRest();
       if (useView.getState().menu !== null) return;
       // From the keyboard it comes to the canvas as a whole.
       if (event.target === canvas) openContextMenu();
       else openAt(event.target, { x: event.clientX, y: event.clientY });
     };
     const onDown = (event: PointerEvent) => {
-      clearTimeout(rest);
+      endRest();
       const { target } = event;
       if (event.pointerType !== "touch" || !event.isPrimary || !fitting(target)) return;
-      from = { x: event.clientX, y: event.clientY };
-      rest = setTimeout(() => {
+      endRest = onLongPress(event, (x, y) => {
         cancelDrag();
         swallowClick();
-        openAt(target, from);
-      }, REST_MS);
+        openAt(target, { x, y });
+      });
     };
-    const onMove = (event: PointerEvent) => {
-      if (Math.hypot(event.clientX - from.x, event.clientY - from.y) > STILL_PX) clearTimeout(rest);
-    };
-    const onEnd = () => {
-      clearTimeout(rest);
-    };
-    canvas.addEventListener("contextmenu", onContextMenu);
-    canvas.addEventListener("pointerdown", onDown, true);
-    window.addEventListener("pointermove", onMove, true);
-    window.addEventListener("pointerup", onEnd, true);
-    window.addEventListener("pointercancel", onEnd, true);
-    return () => {
-      clearTimeout(rest);
-      canvas.removeEventListener("contextmenu", onContextMenu);
-      canvas.removeEventListener("pointerdown", onDown, true);
-      window.removeEventListener("pointermove", onMove, true);
-      window.removeEventListener("pointerup", onEnd, true);
-      window.removeEventListener("pointercancel", onEnd, true);
-    };
+    return endAll(
+      () => endRest(),
+      listen(canvas, { contextmenu: onContextMenu }),
+      listen(canvas, { pointerdown: onDown }, { capture: true }),
+    );
   }, [root]);
 }

@@ -13,6 +13,7 @@ import {
   unwrapSelection,
 } from "../../session/edits";
 import { GRAPH_KEYS, keyIn } from "../../session/key-table";
+import { varySelected } from "../../session/varied";
 import {
   dropArc,
   editSelected,
@@ -22,7 +23,7 @@ import {
   toggleMinimap,
   useView,
 } from "../../session/view";
-import { varySelected } from "../../session/varied";
+import { listen } from "../../ui/effects";
 import { openContextMenu } from "./context";
 import { toggleFoldOfSelection } from "./folded";
 import { openNote } from "./Notes";
@@ -152,9 +153,6 @@ export function useCanvasKeys(root: RefObject<HTMLDivElement | null>): void {
       }
       if (id !== null && ACTIONS[id]()) event.preventDefault();
     };
-    window.addEventListener("keydown", onKey, true);
-    return () => {
-      window.removeEventListener("keydown", onKey, true);
-    };
+    return listen(window, { keydown: onKey }, { capture: true });
   }, [root]);
 }

@@ -2,16 +2,16 @@
 import { type RefObject, useEffect, useEffectEvent, useLayoutEffect, useRef, useState } from "react";
 import { create } from "zustand";
 
-import { type Box, boundsOf } from "../../model/layout";
+import { hasCoarsePointer } from "../../i18n/touch";
+import { boundsOf, type Box } from "../../model/layout";
 import { useStudio } from "../../model/studio";
-import type { Drawing } from "../../session/drawing";
-import { currentDrawing, nodeOf } from "../../session/drawing";
+import { currentDrawing, type Drawing, nodeOf } from "../../session/drawing";
 import { restFollowing, setViewport, standsStill, useView } from "../../session/view";
+import { listen } from "../../ui/effects";
 import { type Camera, type CanvasCamera, createCamera, type Size, useCamera, zoomed } from "./camera";
 import { afterResize, homeOf, LEAST_READABLE, type Whole, wholeOf } from "./home";
 import { spotOfArc } from "./Lines";
 import { leastZoom, MOST_ZOOM } from "./zoom-range";
-import { hasCoarsePointer } from "../../i18n/touch";
 
 const MARGIN = 48;
 /** A small selection does not fill the canvas. */
@@ -105,12 +105,8 @@ export function useViewport(root: RefObject<HTMLDivElement | null>, drawing: Dra
       camera.glide(zoomed(camera.now(), next, { x: width / 2, y: height / 2 }));
     };
     setViewport({
-      zoomIn: () => {
-        zoomBy(STEP);
-      },
-      zoomOut: () => {
-        zoomBy(1 / STEP);
-      },
+      zoomIn: () => zoomBy(STEP),
+      zoomOut: () => zoomBy(1 / STEP),
       home: () => {
         restFollowing();
         const now = currentDrawing();
@@ -195,10 +191,7 @@ export function useViewport(root: RefObject<HTMLDivElement | null>, drawing: Dra
       target.scrollTo({ left: 0, top: 0, behavior: "instant" });
       camera.pan(-scrollLeft, -scrollTop);
     };
-    canvas.addEventListener("scroll", pan, true);
-    return () => {
-      canvas.removeEventListener("scroll", pan, true);
-    };
+    return listen(canvas, { scroll: pan }, { capture: true });
   }, [camera, root]);
   useEffect(() => {
     const canvas = root.current;

@@ -4,7 +4,7 @@ import { readStructure } from "../../model/structure";
 import { CARRIER, CARRIER_PARTS } from "../../model/testing/missions";
 import { findSpot } from "../../model/tree";
 import type { Program } from "../../model/types";
-import { waitedVertices } from "./waiting";
+import { waitedVertices } from "./Nodes";
 
 function waited(program: Program, id: string): string[] {
   const spot = findSpot(readStructure(program, CARRIER_PARTS), id);

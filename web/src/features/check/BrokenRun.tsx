@@ -1,4 +1,6 @@
 /** How a property is broken: whether the simulator shows it too, playing that run, and the model's run in sentences. */
+import "./broken-run.css";
+
 import { useEffect, useRef, useState } from "react";
 
 import type { CheckedEvent, CheckedProperty, ConfirmingRun } from "../../api/generated";
@@ -7,7 +9,7 @@ import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { isHeldByRobots } from "../../session/confirming-run";
-import { markVertices } from "../../session/guilty";
+import { markVertices } from "../../session/counterexample";
 import { useRun } from "../../session/run";
 import { closeTeam } from "../../session/team-view";
 import { useView } from "../../session/view";
@@ -17,11 +19,10 @@ import { Tool } from "../../ui/Tool";
 import { USUAL } from "./kinds";
 import { beginWalk } from "./state-walk";
 import { StepArena } from "./StepArena";
-import { type Cell, guiltyMarks, otherRun, stretches } from "./table";
+import { type Cell, counterexampleMarks, otherRun, stretches } from "./table";
 import { assumptionWords } from "./Verdict";
 import { answerAt, openAnswer, play, useCheck } from "./verifying";
 import { WhyBroken } from "./WhyBroken";
-import "./broken-run.css";
 
 export function BrokenRun({ cell }: { cell: Cell }) {
   const shown = answerAt(
@@ -42,7 +43,7 @@ export function BrokenRun({ cell }: { cell: Cell }) {
   const wrong = shown?.answer;
   useEffect(() => {
     if (wrong === undefined || mission === undefined) return;
-    const marks = guiltyMarks(
+    const marks = counterexampleMarks(
       wrong,
       mission.agents.map(({ name }) => name),
     );

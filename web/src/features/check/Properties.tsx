@@ -3,7 +3,7 @@ import { NumberInput } from "../../components/fields/NumberInput";
 import { Said } from "../../i18n/Said";
 import { type Key, t } from "../../i18n/words";
 import { freePropertyName, setProperties } from "../../model/commands/changeProperties";
-import { useStudio } from "../../model/studio";
+import { execute, useStudio } from "../../model/studio";
 import { typedName } from "../../model/typed-name";
 import type { AskedProperty } from "../../model/types";
 import { Button } from "../../ui/Button";
@@ -35,9 +35,8 @@ const NONE: readonly AskedProperty[] = [];
 const CODE = "mission-property";
 
 function put(change: (before: readonly AskedProperty[]) => readonly AskedProperty[]): void {
-  const { mission, execute } = useStudio.getState();
-  const command = setProperties(mission, change(mission.properties ?? NONE));
-  if (command !== null) execute(command);
+  const { mission } = useStudio.getState();
+  execute(setProperties(mission, change(mission.properties ?? NONE)));
 }
 
 interface EndProps {

@@ -2,12 +2,14 @@
 import { type ReactNode, useEffect, useState } from "react";
 
 import type { Judgement } from "../../api/generated";
+import { whyRefused } from "../../api/refusal";
 import { traceApi } from "../../api/traces";
 import { decimal } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { can, useRun } from "../../session/run";
 import { Button } from "../../ui/Button";
+import { awaitAnswer } from "../../ui/effects";
 
 interface Answer {
   run: string;
@@ -21,17 +23,11 @@ function useJudgements(run: string, hasProperties: boolean): Answer | null {
   const [answer, setAnswer] = useState<Answer | null>(null);
   useEffect(() => {
     if (!hasProperties) return;
-    let over = false;
-    const take = (said: readonly Judgement[], wrong: string) => {
-      if (!over) setAnswer({ run, said, wrong });
-    };
-    traceApi.judgements(run).then(
-      (said) => take(said, ""),
-      (cause: unknown) => take([], cause instanceof Error ? cause.message : String(cause)),
+    return awaitAnswer(
+      traceApi.judgements(run),
+      (said) => setAnswer({ run, said, wrong: "" }),
+      (cause) => setAnswer({ run, said: [], wrong: whyRefused(cause).message }),
     );
-    return () => {
-      over = true;
-    };
   }, [run, hasProperties]);
   return answer?.run === run ? answer : null;
 }

@@ -7,7 +7,7 @@ import type { StateWalk } from "../../api/generated";
 import { walkApi } from "../../api/state-walk";
 import { moreWords } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { useGuilty } from "../../session/guilty";
+import { useCounterexample } from "../../session/counterexample";
 import { type Hands, handsOn } from "../../testing/hands";
 import { mount, type Mounted } from "../../testing/hooks";
 import { beginWalk, useStateWalk } from "./state-walk";
@@ -65,7 +65,9 @@ test("each possible step is a button, failures apart, with what it breaks and wh
   const failures = hands.find("walk-step-2").closest("details");
   expect(failures?.querySelector("summary")?.textContent).toBe("1 failure");
   expect(hands.find("walk").textContent).toContain("A: 3 · Run = 1");
-  expect(useGuilty.getState().marks.map(({ program, vertex }) => [program, vertex])).toEqual([["carrier", "v1"]]);
+  expect(useCounterexample.getState().marks.map(({ program, vertex }) => [program, vertex])).toEqual([
+    ["carrier", "v1"],
+  ]);
 });
 
 test("a step is taken, taken back, and all of them are", async () => {
@@ -106,7 +108,7 @@ test("a mission that has no states is told in a sentence, and a close takes mark
   await vi.waitFor(() => expect(hands.find("refused").textContent).toContain("Let it drive on."));
   hands.click("walk-close");
   expect(hands.has("walk")).toBe(false);
-  expect(useGuilty.getState().marks).toEqual([]);
+  expect(useCounterexample.getState().marks).toEqual([]);
 });
 
 test("of two requests the later one counts, whichever is answered first", async () => {

@@ -1,4 +1,7 @@
 /** A walk by hand: the state in pictures and words, the steps that are possible in it, and the way back. */
+import "./broken-run.css";
+import "./walked-state.css";
+
 import { useEffect } from "react";
 
 import type { PossibleStep, StateWalk } from "../../api/generated";
@@ -7,7 +10,7 @@ import { grouped, readWhole } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import type { Mission } from "../../model/types";
-import { type GuiltyMark, markVertices } from "../../session/guilty";
+import { type CounterexampleMark, markVertices } from "../../session/counterexample";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
 import { Row } from "../../ui/Row";
@@ -18,8 +21,6 @@ import { SceneArena } from "./SceneArena";
 import { assume, closeWalk, goBack, goOn, takeStep, useStateWalk } from "./state-walk";
 import { TIMINGS } from "./table";
 import { useWorldOf } from "./world";
-import "./broken-run.css";
-import "./walked-state.css";
 
 export function WalkedState() {
   const { wanted, state, refused } = useStateWalk();
@@ -167,7 +168,7 @@ function Sentences({ texts }: { texts: readonly string[] }) {
 }
 
 /** Where the programs are, on the graph. */
-function marksOf({ scene }: StateWalk): GuiltyMark[] {
+function marksOf({ scene }: StateWalk): CounterexampleMark[] {
   return scene.robots.flatMap(({ at }) =>
     at.map(([program, vertex]) => ({
       ...{ program, vertex, sentence: "", robots: [], repeats: false },

@@ -10,6 +10,7 @@ import type { Mission, Report } from "../../model/types";
 import { isChecked } from "../../session/checked";
 import { showsProblem } from "../../session/confirming-run";
 import { useRun } from "../../session/run";
+import { endAll } from "../../ui/effects";
 import { useCheck } from "./verifying";
 
 /** Nobody draws for so long before it is asked for. */
@@ -58,8 +59,5 @@ export function checkWhileDrawing(): () => void {
     if (state.mission !== before.mission) leaveOff();
     if (state.report !== before.report && state.report !== added) consider();
   });
-  return () => {
-    off();
-    leaveOff();
-  };
+  return endAll(off, leaveOff);
 }

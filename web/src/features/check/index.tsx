@@ -2,15 +2,15 @@
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { openDock } from "../../session/dock";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { keyFor, type PageKey } from "../../session/key-table";
 import { later } from "../../ui/later";
 import { menuItem } from "../../ui/menu-model";
 
-const CheckPanel = later(() => import("./CheckPanel").then((chunk) => chunk.CheckPanel), complain);
+const CheckPanel = later(() => import("./CheckPanel").then((chunk) => chunk.CheckPanel), reportError);
 
-const RunJudgements = later(() => import("./RunJudgements").then((chunk) => chunk.RunJudgements), complain);
+const RunJudgements = later(() => import("./RunJudgements").then((chunk) => chunk.RunJudgements), reportError);
 
 const open = () => openDock("check-panel");
 

@@ -7,8 +7,8 @@
 import { create } from "zustand";
 
 import type { StateWalk } from "../../api/generated";
+import { type WhyRefused, whyRefused } from "../../api/refusal";
 import { walkApi, type WantedWalk } from "../../api/state-walk";
-import { type WhyRefused, whyRefused } from "../../components/why-refused";
 import { useStudio } from "../../model/studio";
 import { useRun } from "../../session/run";
 import { type Kinds, USUAL } from "./kinds";

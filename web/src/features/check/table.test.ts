@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 
 import type { CheckedProperty, ConfirmingRun } from "../../api/generated";
 import { withFailures } from "../../session/confirming-run";
-import { guiltyMarks, plan, sceneAfter, shapeOf, stretches } from "./table";
+import { counterexampleMarks, plan, sceneAfter, shapeOf, stretches } from "./table";
 
 const BROKEN: CheckedProperty = {
   name: "contact",
@@ -86,7 +86,7 @@ test("scenes play to the last one, and what repeats goes on from where it began"
 });
 
 test("guilty vertices have their robots and one sentence a program, and vertices on the way the steps that come to them", () => {
-  const found = guiltyMarks(LASSO, ["a", "b"]).map(({ vertex, sentence, robots, steps }) => [
+  const found = counterexampleMarks(LASSO, ["a", "b"]).map(({ vertex, sentence, robots, steps }) => [
     vertex,
     sentence,
     robots.join(),
@@ -98,5 +98,5 @@ test("guilty vertices have their robots and one sentence a program, and vertices
     ["v8", "", "", "1"],
     ["v3", "", "", "2"],
   ]);
-  expect(guiltyMarks(BROKEN, ["a"])).toEqual([]);
+  expect(counterexampleMarks(BROKEN, ["a"])).toEqual([]);
 });

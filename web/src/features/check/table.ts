@@ -1,6 +1,6 @@
 /** The table of a check: a row for each property, a column for each assumption. */
 import type { CheckedEvent, CheckedProperty, OtherWay, VerifyColumnMessage } from "../../api/generated";
-import type { GuiltyMark } from "../../session/guilty";
+import type { CounterexampleMark } from "../../session/counterexample";
 import type { Cell } from "../../ui/grid";
 
 export type { Cell };
@@ -89,15 +89,18 @@ export function sceneAfter({ scenes, repeats_from }: ModelRun, at: number): numb
 const TOLD = 14;
 
 /** What the graph shows of a run: where the property is broken, and the vertices that those robots come to. */
-export function guiltyMarks({ guilty, scenes, steps }: CheckedProperty, agents: readonly string[]): GuiltyMark[] {
-  const marks = new Map<string, GuiltyMark>();
-  const at = (program: string, vertex: string): GuiltyMark => {
+export function counterexampleMarks(
+  { guilty, scenes, steps }: CheckedProperty,
+  agents: readonly string[],
+): CounterexampleMark[] {
+  const marks = new Map<string, CounterexampleMark>();
+  const at = (program: string, vertex: string): CounterexampleMark => {
     const key = `${program}\n${vertex}`;
     const found = marks.get(key) ?? { program, vertex, sentence: "", robots: [], repeats: false, steps: [] };
     marks.set(key, found);
     return found;
   };
-  const put = (mark: GuiltyMark) => marks.set(`${mark.program}\n${mark.vertex}`, mark);
+  const put = (mark: CounterexampleMark) => marks.set(`${mark.program}\n${mark.vertex}`, mark);
   const told = new Set<string>();
   for (const { agent, program, vertex, sentence, repeats } of guilty) {
     const mark = at(program, vertex);

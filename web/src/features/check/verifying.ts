@@ -15,8 +15,8 @@ import type {
   VerifyStartRequest,
   WorkRefusedMessage,
 } from "../../api/generated";
+import type { WhyRefused } from "../../api/refusal";
 import { beginWork, type Work } from "../../api/work";
-import type { WhyRefused } from "../../components/why-refused";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { isHeldByRobots, playConfirming } from "../../session/confirming-run";

@@ -1,16 +1,19 @@
 /** Coming in: the code of the class and a name; a name that is there needs the word, or the teacher's yes. */
+import "./class.css";
+
 import { type FormEvent, type ReactNode, useEffect, useRef, useState } from "react";
 
 import { classApi } from "../../api/class";
 import { ApiError } from "../../api/client";
+import { type Failure, whyRefused } from "../../api/refusal";
+import { siteParts } from "../../api/site-parts";
 import { takeToken } from "../../api/token";
+import { inPage } from "../../api/transport";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { Icon } from "../../theme";
-import { fetchAhead } from "./ahead";
-import { forgetLeft } from "./left";
 import { Button } from "../../ui/Button";
-import "./class.css";
+import { forgetLeft } from "./left";
 
 const ASK_MS = 2000;
 
@@ -38,25 +41,19 @@ export function Join() {
   /** The name that is taken. */
   const [taken, setTaken] = useState("");
   const [asked, setAsked] = useState("");
-  const [failure, setFailure] = useState<{ message: string; help: string } | null>(null);
+  const [failure, setFailure] = useState<Failure | null>(null);
   const [busy, setBusy] = useState(false);
   const nameField = useRef<HTMLInputElement>(null);
 
-  const fail = (cause: unknown) => {
-    const help = cause instanceof ApiError ? cause.help : "";
-    setFailure({ message: cause instanceof Error ? cause.message : String(cause), help });
-  };
+  const fail = (cause: unknown) => setFailure(whyRefused(cause));
   useEffect(forgetLeft, []);
   useEffect(fetchAhead, []);
   useEffect(() => {
     const look = () => {
-      classApi.about().then(
-        (found) => {
-          setAbout(found);
-          setFailure((before) => (before?.message === t("class.offline") ? null : before));
-        },
-        (cause: unknown) => fail(cause),
-      );
+      classApi.about().then((found) => {
+        setAbout(found);
+        setFailure((before) => (before?.message === t("class.offline") ? null : before));
+      }, fail);
     };
     look();
     const timer = setInterval(look, 5 * ASK_MS);
@@ -189,4 +186,14 @@ export function Join() {
       </form>
     </main>
   );
+}
+
+/** The files of Python are fetched while a pupil types code and name: the browser has them when the studio asks for them. */
+function fetchAhead(): void {
+  if (inPage()) void fetchFiles().catch(() => undefined);
+}
+
+async function fetchFiles(): Promise<void> {
+  const { files } = await siteParts();
+  await Promise.all(Object.keys(files).map(async (name) => (await fetch(name)).arrayBuffer()));
 }

@@ -1,4 +1,6 @@
 /** What a pupil's page shows of the class: what the teacher wants, whether the work is kept, the hand, and "look up". */
+import "./class.css";
+
 import { type ReactNode, useEffect } from "react";
 import { createPortal } from "react-dom";
 
@@ -6,11 +8,11 @@ import { Said } from "../../i18n/Said";
 import { type Key, t } from "../../i18n/words";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
-import type { MenuEntry } from "../../ui/menu-model";
-import { menuItem } from "../../ui/menu-model";
+import { listen } from "../../ui/effects";
+import { type MenuEntry, menuItem } from "../../ui/menu-model";
 import { MenuButton } from "../../ui/MenuButton";
-import { done, goAway, keepClass, letEdit, type Offer, putHand, useClassroom } from "./keeping";
-import "./class.css";
+import { dismissOffer, type Offer, useOffers } from "./pupil-offers";
+import { goAway, keepClass, letEdit, putHand, useClassroom } from "./pupil-sync";
 
 const WORDS: Record<Offer["kind"], (words: string) => string> = {
   handed: (name) => t("class.sent", { name }),
@@ -28,14 +30,14 @@ function OfferRow({ offer }: { offer: Offer }) {
       {open === null ? null : (
         <Button
           onClick={() => {
-            done(offer);
+            dismissOffer(offer);
             open();
           }}
         >
           {t("class.open")}
         </Button>
       )}
-      <Button onClick={() => done(offer)}>{t(open === null ? "class.read" : "class.later")}</Button>
+      <Button onClick={() => dismissOffer(offer)}>{t(open === null ? "class.read" : "class.later")}</Button>
     </div>
   );
 }
@@ -55,10 +57,10 @@ function Held({ icon, title, help, children }: { icon: string; title: string; he
       event.preventDefault();
       event.stopPropagation();
     };
-    window.addEventListener("keydown", hold, true);
+    const endHolding = listen(window, { keydown: hold }, { capture: true });
     return () => {
       for (const one of all) one.inert = false;
-      window.removeEventListener("keydown", hold, true);
+      endHolding();
     };
   }, []);
   return createPortal(
@@ -75,7 +77,8 @@ function Held({ icon, title, help, children }: { icon: string; title: string; he
 }
 
 export function PupilBar() {
-  const { news, offers, connected } = useClassroom();
+  const { news, connected } = useClassroom();
+  const offers = useOffers((state) => state.offers);
   const frozen = news?.frozen === true;
   useEffect(keepClass, []);
   return (

@@ -6,13 +6,13 @@
 import type { ReactNode } from "react";
 
 import { isJoining, pageRole } from "../../api/token";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { later } from "../../ui/later";
 
 /** `wanted`: where the page is for that. */
 function part(wanted: string, load: () => Promise<() => ReactNode>) {
-  return pageRole === wanted ? later(load, complain) : null;
+  return pageRole === wanted ? later(load, reportError) : null;
 }
 
 const Teacher = part("teacher", () => import("./teacher/Teacher").then((chunk) => chunk.Teacher));

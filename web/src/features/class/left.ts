@@ -2,9 +2,9 @@
  * What a pupil who left leaves behind in this browser: the files of the studio that was in the page. They are deleted by the
  * next page, for this one has them open; the work is with the class by then.
  */
-import { inPage } from "../../api/line";
-import { pupilName } from "../../api/token";
 import { homeOf } from "../../api/home";
+import { pupilName } from "../../api/token";
+import { inPage } from "../../api/transport";
 
 const KEY = "kitrobot.class.left";
 

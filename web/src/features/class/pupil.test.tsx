@@ -15,8 +15,8 @@ import { remember, setComments, useOpenExercise } from "../../session/open-exerc
 import { type ClassWire, holdClassWire } from "../../testing/class-wire";
 import { type Hands, handsOn } from "../../testing/hands";
 import { mount, type Mounted } from "../../testing/hooks";
-import { useClassroom } from "./keeping";
 import { PupilBar, PupilKept } from "./Pupil";
+import { useClassroom } from "./pupil-sync";
 
 await moreWords();
 

@@ -4,6 +4,11 @@
  * The LLL can be written: the graph follows. Selecting on either side shows the other; lines where threads of the watched
  * agent stand are marked.
  */
+import "./code.css";
+
+import { useEffect, useState } from "react";
+
+import { api } from "../../api/client";
 import { CopyButton } from "../../components/CopyButton";
 import { listingExtensions } from "../../components/text/extensions";
 import { TextView } from "../../components/text/TextView";
@@ -11,16 +16,15 @@ import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { TEAM_ROBOT } from "../../model/team-robot";
 import { type CodeSide, showCode, useCodeSide } from "../../session/code-side";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { useShown } from "../../session/simple-view";
 import { useTyping } from "../../session/typing";
+import { awaitAnswer } from "../../ui/effects";
 import { later } from "../../ui/later";
 import { TabList } from "../../ui/TabList";
-import { useListing } from "./listing";
 import { Lll } from "./Lll";
-import "./code.css";
 
-const Projection = later(() => import("./Projection").then((chunk) => chunk.default), complain);
+const Projection = later(() => import("./Projection").then((chunk) => chunk.default), reportError);
 export function Code() {
   const wanted = useCodeSide((code) => code.side);
   const isTeam = useStudio((studio) => studio.mission.programs.some((one) => one.robot === TEAM_ROBOT));
@@ -77,4 +81,20 @@ export function Code() {
       </div>
     </div>
   );
+}
+
+/** The listing of the newest report; "" while there is none, or nobody looks. */
+export function useListing(looks: boolean): string {
+  const [made, setMade] = useState({ name: "", listing: "" });
+  const name = useStudio((studio) => studio.activeProgram);
+  const found = useStudio((studio) => studio.report?.programs.find((one) => one.name === studio.activeProgram));
+  const empty = (found?.instructions ?? 0) === 0;
+  useEffect(() => {
+    if (!looks || empty) return;
+    const { mission, file } = useStudio.getState();
+    // Where it fails the mission is another one by now, or the server is away: the next report, or the banner, says so.
+    return awaitAnswer(api.image(mission, file.path, name), ({ listing }) => setMade({ name, listing }));
+  }, [looks, empty, found, name]);
+  // Never that of another program, which was in view before.
+  return looks && !empty && made.name === name ? made.listing : "";
 }

@@ -1,5 +1,6 @@
 /** The program in view as LLL that can be written: its text, what is marked in it, and the line about mistakes below. */
 import { useCallback, useEffect, useMemo } from "react";
+import { create } from "zustand";
 
 import { api, problemsIn } from "../../api/client";
 import { teamNames } from "../../components/text/named";
@@ -12,8 +13,8 @@ import { spansInUnits } from "../../session/places";
 import { useActiveVertices } from "../../session/run";
 import { connectTyping, type Draft, setFocused, typeText, useTyping } from "../../session/typing";
 import { Icon } from "../../theme";
+import { endAll, listen } from "../../ui/effects";
 import { showMistakes } from "./mistakes";
-import { outlineVertex, usePointed, watchGraph } from "./pointing";
 import { activeLines, vertexAt, vertexOfLine } from "./spans";
 
 /** Why the graph does not show the text, for as long as it does not. */
@@ -68,11 +69,7 @@ export function Lll({
   );
 
   useEffect(() => {
-    const ends = [connectTyping(api.follow), showMistakes(), watchGraph()];
-    return () => {
-      for (const end of ends) end();
-      outlineVertex(null);
-    };
+    return endAll(connectTyping(api.follow), showMistakes(), watchGraph(), () => outlineVertex(null));
   }, []);
 
   const onPick = useCallback(
@@ -139,5 +136,42 @@ export function Lll({
       />
       <StateLine draft={draft} />
     </div>
+  );
+}
+
+/** The vertex under the pointer in the graph; the text shows its lines. */
+const usePointed = create<{ vertex: string | null }>(() => ({ vertex: null }));
+
+function ownSheet(): () => CSSStyleSheet {
+  let sheet: CSSStyleSheet | null = null;
+  return () => {
+    if (sheet === null) {
+      sheet = new CSSStyleSheet();
+      document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
+    }
+    return sheet;
+  };
+}
+
+const outlineSheet = ownSheet();
+
+/** Outlines a vertex of the graph, or none. */
+function outlineVertex(vertex: string | null): void {
+  if (typeof CSSStyleSheet.prototype.replaceSync !== "function") return;
+  const sheet = outlineSheet();
+  const rule = "{ filter: drop-shadow(0 0 0 var(--ink)) drop-shadow(0 0 1.5px var(--ink)); }";
+  sheet.replaceSync(vertex === null ? "" : `.canvas-node[data-id="${CSS.escape(vertex)}"] ${rule}`);
+}
+
+/** Watches the pointer over the graph; the returned function ends that. */
+function watchGraph(): () => void {
+  const onOver = (event: PointerEvent) => {
+    const target = event.target instanceof Element ? event.target : null;
+    const part = target?.closest<HTMLElement>(".canvas-node[data-id]");
+    const vertex = part?.dataset["id"] ?? null;
+    if (vertex !== usePointed.getState().vertex) usePointed.setState({ vertex });
+  };
+  return endAll(listen(document, { pointerover: onOver }, { passive: true }), () =>
+    usePointed.setState({ vertex: null }),
   );
 }

@@ -6,7 +6,7 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { api } from "../../api/client";
 import { useStudio } from "../../model/studio";
 import { fileOf, growProgram, missionOf } from "../../model/testing/missions";
-import { useListing } from "./listing";
+import { useListing } from "./Code";
 
 (globalThis as { IS_REACT_ACT_ENVIRONMENT?: boolean }).IS_REACT_ACT_ENVIRONMENT = true;
 const place = document.createElement("div");

@@ -7,6 +7,7 @@
 import { useStudio } from "../../model/studio";
 import type { Problem, Report } from "../../model/types";
 import { useTyping } from "../../session/typing";
+import { endAll } from "../../ui/effects";
 
 const added = new WeakMap<Report, Report>();
 
@@ -44,8 +45,5 @@ export function showMistakes(): () => void {
   const offReport = useStudio.subscribe((state, before) => {
     if (state.report !== before.report) settle();
   });
-  return () => {
-    offTyping();
-    offReport();
-  };
+  return endAll(offTyping, offReport);
 }

@@ -4,7 +4,7 @@ import { useState } from "react";
 import { t } from "../../i18n/words";
 import { removeConstructor, usesOfConstructor } from "../../model/commands/changeOwn";
 import { dissolvePart } from "../../model/commands/ownParts";
-import { useStudio } from "../../model/studio";
+import { execute, useStudio } from "../../model/studio";
 import type { Program } from "../../model/types";
 import { reveal } from "../../session/actions";
 import { closeSheet } from "../../session/custom-blocks";
@@ -24,7 +24,7 @@ export function DeleteSheet({ name }: { name: string }) {
   const count = uses.reduce((sum, { vertices }) => sum + vertices.length, 0);
 
   const dissolve = async () => {
-    const { file, files, execute } = useStudio.getState();
+    const { file, files } = useStudio.getState();
     const users = new Set(uses.map(({ program }) => program));
     const robots = mission.programs.filter((one) => users.has(one.name)).map((one) => one.robot);
     try {
@@ -37,16 +37,14 @@ export function DeleteSheet({ name }: { name: string }) {
         setFailure(t("own.changed"));
         return;
       }
-      const command = dissolvePart(mission, files, name, drawings);
-      if (command !== null) execute(command);
+      execute(dissolvePart(mission, files, name, drawings));
       closeSheet();
     } catch (cause) {
       setFailure(whyNot(cause));
     }
   };
   const leave = () => {
-    const command = removeConstructor(mission, name);
-    if (command !== null) useStudio.getState().execute(command);
+    execute(removeConstructor(mission, name));
     closeSheet();
   };
   return (

@@ -6,10 +6,11 @@ import { TextEditor } from "../../components/text/TextEditor";
 import { languageInUse, sentence, t } from "../../i18n/words";
 import { usesOfConstructor } from "../../model/commands/changeOwn";
 import { changePart } from "../../model/commands/ownParts";
-import { programInView, useStudio } from "../../model/studio";
+import { execute, programInView, useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { Constructor, Problem, Slot } from "../../model/types";
 import { closeSheet } from "../../session/custom-blocks";
+import { afterPause, awaitAnswer } from "../../ui/effects";
 import { Sheet } from "../../ui/Sheet";
 import { Look, type LookOf } from "./Look";
 import { ownPart, plainName, wrongWith } from "./naming";
@@ -60,26 +61,19 @@ function Editing({ name, part }: { name: string; part: Constructor }) {
 
   useEffect(() => {
     latest.current = draft;
-    let there = true;
-    const timer = window.setTimeout(() => {
+    return afterPause(PAUSE_MS, () => {
       const { mission, file } = useStudio.getState();
-      partsApi.read(mission, file.path, robot, draft).then(
+      return awaitAnswer(
+        partsApi.read(mission, file.path, robot, draft),
         (answer) => {
-          if (!there) return;
           setRead(answer);
           setFailure("");
           setCode((before) => before ?? answer.lll.trimEnd());
           if (answer.constructor !== null) setSlots((before) => sameSlots(before, answer.constructor?.slots ?? []));
         },
-        (cause: unknown) => {
-          if (there) setFailure(whyNot(cause));
-        },
+        (cause) => setFailure(whyNot(cause)),
       );
-    }, PAUSE_MS);
-    return () => {
-      there = false;
-      window.clearTimeout(timer);
-    };
+    });
   }, [draft, robot]);
 
   const problems = useMemo(
@@ -103,8 +97,7 @@ function Editing({ name, part }: { name: string; part: Constructor }) {
       setRead(answer);
       if (answer.constructor === null) return;
       const now = useStudio.getState();
-      const command = changePart(now.mission, now.files, name, answer.constructor);
-      if (command !== null) now.execute(command);
+      execute(changePart(now.mission, now.files, name, answer.constructor));
       closeSheet();
     } catch (cause) {
       setFailure(whyNot(cause));

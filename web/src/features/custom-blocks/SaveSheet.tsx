@@ -1,16 +1,17 @@
 /** A selection becomes a part: how it is called and drawn, what is left open, how it will look. */
 import { type FormEvent, useEffect, useMemo, useState } from "react";
 
-import { ApiError } from "../../api/client";
 import type { Offered, Part, PartWish } from "../../api/generated";
+import { type Failure, whyRefused } from "../../api/refusal";
 import { sentence, t } from "../../i18n/words";
 import { saveAsPart } from "../../model/commands/ownParts";
 import { catalogueOf, ownConstructors } from "../../model/own";
 import { partsOf } from "../../model/parts";
-import { useStudio } from "../../model/studio";
+import { execute, useStudio } from "../../model/studio";
 import type { Mission } from "../../model/types";
 import { closeSheet } from "../../session/custom-blocks";
 import { Checkbox } from "../../ui/Checkbox";
+import { afterPause, awaitAnswer } from "../../ui/effects";
 import { Sheet } from "../../ui/Sheet";
 import { Look, type LookOf } from "./Look";
 import { freePartName, plainName, wrongWith } from "./naming";
@@ -32,13 +33,13 @@ function firstLook(program: string, vertices: readonly string[]): LookOf {
   return { name: freePartName(catalogue), help: "", icon, colour: shape.colour };
 }
 
-function saidOf(refused: { message: string; help: string } | null): string {
+function saidOf(refused: Failure | null): string {
   if (refused === null) return "";
   return [sentence(refused.message), sentence(refused.help)].filter((one) => one !== "").join(" ");
 }
 
 export function whyNot(cause: unknown): string {
-  return cause instanceof ApiError ? saidOf(cause) : String(cause);
+  return saidOf(whyRefused(cause));
 }
 
 export function SaveSheet({ program, vertices }: { program: string; vertices: string[] }) {
@@ -53,22 +54,16 @@ export function SaveSheet({ program, vertices }: { program: string; vertices: st
   const wrong = wrongWith(look.name, catalogue);
 
   useEffect(() => {
-    let there = true;
     const { file, mission: now } = useStudio.getState();
-    partsApi.offer({ mission: now, path: file.path, program, vertices }).then(
+    return awaitAnswer(
+      partsApi.offer({ mission: now, path: file.path, program, vertices }),
       (answer) => {
-        if (!there) return;
         if (answer.offered === null) setFailure(saidOf(answer.refused));
         setOffered(answer.offered);
         setOpenings(openingsOf(answer.offered?.offers ?? []));
       },
-      (cause: unknown) => {
-        if (there) setFailure(whyNot(cause));
-      },
+      (cause) => setFailure(whyNot(cause)),
     );
-    return () => {
-      there = false;
-    };
   }, [program, vertices]);
 
   const wish = useMemo((): PartWish | null => {
@@ -83,25 +78,19 @@ export function SaveSheet({ program, vertices }: { program: string; vertices: st
 
   useEffect(() => {
     if (wish === null) return;
-    let there = true;
-    const timer = window.setTimeout(() => {
-      partsApi.make(wish).then(
+    return afterPause(PAUSE_MS, () =>
+      awaitAnswer(
+        partsApi.make(wish),
         ({ part, refused }) => {
-          if (!there) return;
           setMade(part === null ? null : { part, mission: wish.mission });
           setFailure(saidOf(refused));
         },
-        (cause: unknown) => {
-          if (!there) return;
+        (cause) => {
           setMade(null);
           setFailure(whyNot(cause));
         },
-      );
-    }, PAUSE_MS);
-    return () => {
-      there = false;
-      window.clearTimeout(timer);
-    };
+      ),
+    );
   }, [wish]);
 
   const save = async () => {
@@ -112,15 +101,11 @@ export function SaveSheet({ program, vertices }: { program: string; vertices: st
         setFailure(saidOf(refused));
         return;
       }
-      const studio = useStudio.getState();
-      if (studio.mission !== wish.mission) {
+      if (useStudio.getState().mission !== wish.mission) {
         setFailure(t("own.changed"));
         return;
       }
-      const command = saveAsPart(wish.mission, part.constructor, inPlace ? part : null);
-      if (command === null) return;
-      studio.execute(command);
-      closeSheet();
+      if (execute(saveAsPart(wish.mission, part.constructor, inPlace ? part : null))) closeSheet();
     } catch (cause) {
       setFailure(whyNot(cause));
     }

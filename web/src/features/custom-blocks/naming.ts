@@ -1,5 +1,6 @@
 /** Names of parts: which are free, and what is wrong with one. */
 import { t } from "../../i18n/words";
+import { firstFree } from "../../model/free-name";
 import { ownConstructors } from "../../model/own";
 import { typedName } from "../../model/typed-name";
 import type { Catalogue, Constructor, Mission } from "../../model/types";
@@ -24,10 +25,10 @@ export function plainName(name: string): string {
 export function freePartName(catalogue: Catalogue): string {
   const taken = takenIn(catalogue);
   const stem = t("own.default");
-  for (let number = 1; ; number++) {
-    const name = number === 1 ? stem : `${stem} ${String(number)}`;
-    if (!taken.has(name)) return name;
-  }
+  return firstFree(
+    (number) => (number === 1 ? stem : `${stem} ${String(number)}`),
+    (name) => taken.has(name),
+  );
 }
 
 export function ownPart(mission: Mission, name: string): Constructor | undefined {

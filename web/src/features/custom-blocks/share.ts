@@ -1,7 +1,7 @@
 /** Downloads the mission's custom blocks as a constructors file. */
 import { ownConstructors } from "../../model/own";
 import { useStudio } from "../../model/studio";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { download } from "../../ui/download";
 import { partsApi } from "./server";
 
@@ -12,6 +12,6 @@ export async function shareParts(): Promise<void> {
     const stem = (file.name || "mission").replace(/\.krt$/i, "");
     download(`${stem}.constructors.xml`, text, "application/xml");
   } catch (cause) {
-    complain(cause, () => void shareParts());
+    reportError(cause, () => void shareParts());
   }
 }

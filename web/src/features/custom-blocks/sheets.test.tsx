@@ -3,15 +3,15 @@ import { act } from "react";
 import { afterEach, beforeEach, describe, expect, it } from "vitest";
 
 import { catalogueOf, ownConstructors } from "../../model/own";
+import { useStudio } from "../../model/studio";
 import { CARRIER, missionOf } from "../../model/testing/missions";
 import { PARTS } from "../../model/testing/parts";
-import { useStudio } from "../../model/studio";
 import type { Constructor, Mission, Program } from "../../model/types";
 import { useOwn } from "../../session/custom-blocks";
 import { type Graph, leaveGraph, mountGraph } from "../../testing/graph";
-import { testLine, type TestLine } from "../../testing/socket";
+import { type TestLine, testLine } from "../../testing/socket";
 import { Palette } from "../palette/Palette";
-import { CustomBlocks } from "./CustomBlocks";
+import { CustomBlocks } from ".";
 
 const PART: Constructor = {
   ...{ name: "Lights out", group: "Own", icon: "", colour: "action", label: {}, help: {}, role: "instruction" },

@@ -18,6 +18,7 @@ import type { RobotObject } from "../../model/types";
 import { valueWords } from "../../model/words";
 import { can, type RunAgent, useRun, watchedAgent } from "../../session/run";
 import { Icon } from "../../theme";
+import { Select } from "../../ui/Select";
 import { EventList } from "./EventList";
 import { Plot } from "./Plot";
 
@@ -35,22 +36,19 @@ export function WatchPanel() {
       tools={
         <>
           {agents.length < 2 || agent === undefined ? null : (
-            <select
+            <Select
               className="watched small-text"
-              aria-label={t("debug.agent")}
-              data-testid="watch-agent"
+              label={t("debug.agent")}
+              testId="watch-agent"
               value={agent.name}
-              onChange={(event) => {
-                const found = agents.find((one) => one.name === event.target.value);
+              options={agents.map(({ name }) => name)}
+              keep={(name) => {
+                const found = agents.find((one) => one.name === name);
                 if (found === undefined) return;
                 useStudio.getState().setActiveProgram(found.program);
                 useRun.getState().selectAgent(found.name, found.program);
               }}
-            >
-              {agents.map(({ name }) => (
-                <option key={name}>{name}</option>
-              ))}
-            </select>
+            />
           )}
           <span className="watch-space" />
         </>

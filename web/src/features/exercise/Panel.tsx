@@ -1,4 +1,6 @@
 /** The checklist of the exercise that is open, docked above the graph. */
+import "./exercise.css";
+
 import { useEffect, useRef } from "react";
 
 import { NextLesson } from "../../components/NextLesson";
@@ -6,15 +8,14 @@ import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
+import { isHeldByRobots } from "../../session/confirming-run";
+import { useOpenExercise } from "../../session/open-exercise";
+import { isShown } from "../../session/simple-view";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
 import { judgeAll, keepExercise, leave, openExercise, play, stopJudging, useExercise } from "./judging";
 import { type Mark, OPEN } from "./marks";
-import { isHeldByRobots } from "../../session/confirming-run";
-import { useOpenExercise } from "../../session/open-exercise";
-import { isShown } from "../../session/simple-view";
-import "./exercise.css";
 
 const ICONS = { open: "circle", reached: "circle-check", missed: "circle-x" } as const;
 const WORDS = {
@@ -43,9 +44,7 @@ function Goal({ label, mark, at }: { label: string; mark: Mark; at: number }) {
           className="small"
 
           disabled={isHeldByRobots()}
-          onClick={() => {
-            play(mark);
-          }}
+          onClick={() => play(mark)}
         >
           {seconds === null ? t("exercise.play") : t("exercise.play-at", { seconds })}
         </Button>

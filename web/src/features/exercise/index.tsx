@@ -1,10 +1,10 @@
 /** Exercises: a mission to begin with, and its goals as a checklist beside the work. */
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import type { Feature } from "../../session/features";
-import { later } from "../../ui/later";
 import { useOpenExercise } from "../../session/open-exercise";
+import { later } from "../../ui/later";
 
-const ExercisePanel = later(() => import("./Panel").then((chunk) => chunk.ExercisePanel), complain);
+const ExercisePanel = later(() => import("./Panel").then((chunk) => chunk.ExercisePanel), reportError);
 
 function ExerciseDock() {
   return useOpenExercise(({ open }) => open !== null) ? <ExercisePanel /> : null;

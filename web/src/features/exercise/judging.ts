@@ -11,12 +11,13 @@ import type { Exercise } from "../../api/generated";
 import { useStudio } from "../../model/studio";
 import type { Mission } from "../../model/types";
 import { isHeldByRobots } from "../../session/confirming-run";
-import { complain, show } from "../../session/document";
+import { reportError, show } from "../../session/document";
+import { setOpenLesson } from "../../session/lessons";
+import { remember, setGoals, useOpenExercise } from "../../session/open-exercise";
 import { openMissionOfLesson } from "../../session/open-requests";
 import { isLive, useRun } from "../../session/run";
-import { setOpenLesson } from "../../session/lessons";
+import { endAll, listen } from "../../ui/effects";
 import { type Mark, noMarks, pieces, withVerdicts } from "./marks";
-import { remember, setGoals, useOpenExercise } from "../../session/open-exercise";
 
 /** What the marks are of: nothing yet, one run, every run, or as far as judging came before it was stopped. */
 export type Basis =
@@ -58,7 +59,7 @@ export async function lookForExercises(): Promise<void> {
   } catch (cause) {
     if (useExercise.getState().all !== null) return;
     set({ all: [] });
-    complain(cause);
+    reportError(cause);
   }
 }
 
@@ -129,7 +130,7 @@ async function judge(
   } catch (cause) {
     if (mine.signal.aborted) return;
     set({ busy: null });
-    complain(cause);
+    reportError(cause);
   }
 }
 
@@ -219,15 +220,6 @@ export function keepExercise(): () => void {
     const goals = marks.map(({ state, why }) => ({ reached: state === "open" ? null : state === "reached", why }));
     setGoals(goals);
   });
-  const onFocus = () => void lookForExercises();
-  window.addEventListener("focus", onFocus);
-  return () => {
-    drop();
-    offStudio();
-    offRun();
-    offMarks();
-    offOpen();
-    setOpenLesson("exercise", null);
-    window.removeEventListener("focus", onFocus);
-  };
+  const offFocus = listen(window, { focus: () => void lookForExercises() });
+  return endAll(drop, offStudio, offRun, offMarks, offOpen, offFocus, () => setOpenLesson("exercise", null));
 }

@@ -4,7 +4,7 @@ import { type KeyboardEvent, memo, type MouseEvent, useMemo, useRef, useState } 
 import type { Study } from "../../api/generated";
 import { t } from "../../i18n/words";
 import { useWidth } from "../../ui/use-width";
-import { curveOf, type Dot, nearest } from "./chart";
+import { curveOf, type Dot, nearest, walkDots } from "./chart";
 import { cellWords, figure, measureWords, pointWords, valueWords } from "./figures";
 import { choosePoint, isSmall, playRow, useStudy } from "./study-work";
 
@@ -40,14 +40,7 @@ export function Curve({ study, axis, measure, joined }: Props) {
   };
   const onKeyDown = (event: KeyboardEvent) => {
     const mean = means[at];
-    if (mean === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
-    const to = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: means.length - 1 }[event.key];
-    if (to === undefined && event.key !== "Enter" && event.key !== " ") return;
-    event.preventDefault();
-    event.stopPropagation();
-    if (to === undefined) choose(mean.point.number);
-    else
-      svg.current?.querySelectorAll<SVGElement>("[role=button]")[Math.min(Math.max(to, 0), means.length - 1)]?.focus();
+    if (mean !== undefined) walkDots(event, svg.current, at, () => choose(mean.point.number));
   };
   const onClick = (event: MouseEvent) => {
     const frame = svg.current?.getBoundingClientRect();

@@ -2,7 +2,7 @@ import { act } from "react";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 
 import type { ExperimentChoices, Study, StudyRun } from "../../api/generated";
-import { talk, talkThrough } from "../../api/line";
+import { setTransport, transport } from "../../api/transport";
 import { moreWords, speak } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { CARRIER, fileOf, missionOf } from "../../model/testing/missions";
@@ -36,10 +36,10 @@ class Socket extends EventTarget {
   }
 }
 
-const usual = talk();
+const usual = transport();
 
 function talkToStudio(): void {
-  talkThrough({
+  setTransport({
     fetch: (address, init) => {
       const name = address.split("?")[0] ?? "";
       asked.push([address, init.body]);
@@ -117,7 +117,7 @@ beforeEach(async () => {
 });
 afterEach(() => {
   page.end();
-  talkThrough(usual);
+  setTransport(usual);
   vi.useRealTimers();
   vi.restoreAllMocks();
 });

@@ -1,16 +1,19 @@
 /** The panel of the experiment: a study is set up on the one side, and looked at on the other. */
+import "./experiment.css";
+
 import { useEffect } from "react";
 
 import { DockPanel } from "../../components/DockPanel";
 import { Refused } from "../../components/Refused";
+import { clock, grouped } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
+import { Button } from "../../ui/Button";
+import { afterPause, endAll } from "../../ui/effects";
 import { useWidth } from "../../ui/use-width";
-import { Progress } from "./Progress";
 import { Results } from "./Results";
 import { Setup } from "./Setup";
-import { fetchChoices, useStudy } from "./study-work";
-import "./experiment.css";
+import { breakOff, fetchChoices, useStudy } from "./study-work";
 
 /** How long the mission stays as it is before it is asked what it has. */
 const QUIET_MS = 300;
@@ -27,11 +30,10 @@ export function ExperimentPanel() {
   const isNarrow = width < NARROW_PX;
   useEffect(() => {
     const stop = new AbortController();
-    const timer = setTimeout(() => void fetchChoices(stop.signal), QUIET_MS);
-    return () => {
-      clearTimeout(timer);
-      stop.abort();
-    };
+    return endAll(
+      afterPause(QUIET_MS, () => void fetchChoices(stop.signal)),
+      () => stop.abort(),
+    );
   }, [mission, path]);
   const setup = (
     <div key="setup" className="experiment-setup column">
@@ -51,5 +53,25 @@ export function ExperimentPanel() {
         {isNarrow && study !== null ? [results, setup] : [setup, results]}
       </div>
     </DockPanel>
+  );
+}
+
+/** How far the work on a study is, and what is left of it. */
+function Progress({ done, total, left }: { done: number; total: number; left: number | null }) {
+  const said =
+    total === 0 ? t("experiment.preparing") : t("experiment.progress", { done: grouped(done), total: grouped(total) });
+  return (
+    <div className="experiment-progress column" data-testid="experiment-progress">
+      <progress aria-label={said} max={Math.max(total, 1)} {...(total === 0 ? {} : { value: done })} />
+      <p>
+        {said}
+        {left === null || done >= total ? null : (
+          <span className="muted"> {t("experiment.left", { time: clock(left) })}</span>
+        )}
+      </p>
+      <Button icon="square" testId="experiment-break-off" onClick={breakOff}>
+        {t("experiment.break-off")}
+      </Button>
+    </div>
   );
 }

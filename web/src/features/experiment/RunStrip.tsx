@@ -9,7 +9,7 @@ import { isHeldByRobotsOrFleet } from "../../session/confirming-run";
 import { useRun } from "../../session/run";
 import { Button } from "../../ui/Button";
 import { useWidth } from "../../ui/use-width";
-import { nearest, stackRuns, ticksOf } from "./chart";
+import { nearest, stackRuns, ticksOf, walkDots } from "./chart";
 import { figure, measureWords, pointWords } from "./figures";
 import { playRow, runsOf, useStudy } from "./study-work";
 
@@ -45,15 +45,8 @@ export function RunStrip({ study, measure }: { study: Study; measure: number }) 
   const svg = useRef<SVGSVGElement>(null);
   if (point === undefined) return null;
   const onKeyDown = (event: KeyboardEvent) => {
-    if (event.ctrlKey || event.altKey || event.metaKey) return;
-    const to = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: dots.length - 1 }[event.key];
     const dot = dots[at];
-    if (to === undefined && event.key !== "Enter" && event.key !== " ") return;
-    event.preventDefault();
-    event.stopPropagation();
-    if (to !== undefined)
-      svg.current?.querySelectorAll<SVGElement>("[role=button]")[Math.min(Math.max(to, 0), dots.length - 1)]?.focus();
-    else if (dot !== undefined) void playRow(dot.run.row);
+    if (dot !== undefined) walkDots(event, svg.current, at, () => void playRow(dot.run.row));
   };
   const onClick = (event: MouseEvent) => {
     const frame = svg.current?.getBoundingClientRect();

@@ -9,6 +9,7 @@ import { useRun } from "../../session/run";
 import { useVaried } from "../../session/varied";
 import { Button } from "../../ui/Button";
 import { Checkbox } from "../../ui/Checkbox";
+import { afterPause, endAll } from "../../ui/effects";
 import { Field } from "../../ui/Field";
 import { Axes } from "./Axes";
 import { Command } from "./Command";
@@ -36,11 +37,10 @@ export function Setup() {
   useEffect(() => {
     if (asked === null) return;
     const stop = new AbortController();
-    const timer = setTimeout(() => void fetchPlan(asked, stop.signal), QUIET_MS);
-    return () => {
-      clearTimeout(timer);
-      stop.abort();
-    };
+    return endAll(
+      afterPause(QUIET_MS, () => void fetchPlan(asked, stop.signal)),
+      () => stop.abort(),
+    );
   }, [asked]);
   if (choices === null) return <p className="experiment-note muted">{t("experiment.preparing")}</p>;
   if (choices.measures.length === 0) return <p className="experiment-note muted">{t("experiment.errors")}</p>;

@@ -1,4 +1,6 @@
 /** What picture a study has, and where its dots are: sizes in px, y downwards. */
+import type { KeyboardEvent } from "react";
+
 import type { Study, StudyPoint, StudyRun } from "../../api/generated";
 
 type FoundValue = number | string;
@@ -173,6 +175,19 @@ export function nearest<One extends { x: number; y: number }>(
     if (away <= least) [best, least] = [dot, away];
   }
   return best;
+}
+
+/** A key on the dots of a picture: arrows, Home and End lead to another than the one `at`, Enter and Space take that. */
+export function walkDots(event: KeyboardEvent, picture: SVGElement | null, at: number, take: () => void): void {
+  if (event.ctrlKey || event.altKey || event.metaKey) return;
+  const dots = picture?.querySelectorAll<SVGElement>("[role=button]") ?? [];
+  const last = dots.length - 1;
+  const to = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: last }[event.key];
+  if (to === undefined && event.key !== "Enter" && event.key !== " ") return;
+  event.preventDefault();
+  event.stopPropagation();
+  if (to === undefined) take();
+  else dots[Math.min(Math.max(to, 0), last)]?.focus();
 }
 
 /** The share (0…1) of a measure's span that a point is at; null where it has no number. */

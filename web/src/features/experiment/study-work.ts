@@ -18,12 +18,12 @@ import type {
   StudyRun,
   WorkRefusedMessage,
 } from "../../api/generated";
+import { type WhyRefused, whyRefused } from "../../api/refusal";
 import { beginWork, type Work } from "../../api/work";
-import { type WhyRefused, whyRefused } from "../../components/why-refused";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { isHeldByRobotsOrFleet } from "../../session/confirming-run";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { useRun } from "../../session/run";
 import { download } from "../../ui/download";
 
@@ -217,7 +217,7 @@ export async function playRow(row: number): Promise<void> {
       useRun.getState().replay({ mission, recording, breakpoints: mission.breakpoints ?? [] });
   } catch (cause) {
     set({ played: null });
-    complain(cause);
+    reportError(cause);
   }
 }
 
@@ -228,7 +228,7 @@ export async function downloadTable(): Promise<void> {
   try {
     download(`${where.study}.csv`, await experimentApi.table(where), "text/csv");
   } catch (cause) {
-    complain(cause);
+    reportError(cause);
   }
 }
 

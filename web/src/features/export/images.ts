@@ -3,7 +3,7 @@ import { api } from "../../api/client";
 import { t } from "../../i18n/words";
 import { programInView, useStudio } from "../../model/studio";
 import type { Mission } from "../../model/types";
-import { complain, question } from "../../session/document";
+import { question, reportError } from "../../session/document";
 import { walkProblems } from "../../session/problem-walk";
 import { download } from "../../ui/download";
 
@@ -27,7 +27,7 @@ async function make<Made>(
   try {
     keep(name, await ask(mission, file.path, name));
   } catch (cause) {
-    complain(cause);
+    reportError(cause);
   }
 }
 

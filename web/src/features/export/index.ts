@@ -1,12 +1,12 @@
 /** Files to keep and sheets to print; what makes them is fetched on demand. */
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { complain, show } from "../../session/document";
+import { reportError, show } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { keyFor, type PageKey } from "../../session/key-table";
 import type { MenuEntries } from "../../session/menu-table";
-import { menuItem } from "../../ui/menu-model";
 import { later } from "../../ui/later";
+import { menuItem } from "../../ui/menu-model";
 import { preparePrinting, printSheet } from "./print";
 
 const pictures = () => import("./pictures");
@@ -15,7 +15,7 @@ const PdfSheet = later(
   () => import("./PdfSheet").then((chunk) => chunk.PdfSheet),
   (cause) => {
     show(null);
-    complain(cause);
+    reportError(cause);
   },
 );
 

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 
-import { withText } from "./png";
+import { withText } from "./pictures";
 
 it("puts a text behind the head of a PNG, with its length and check sum", () => {
   const png = Uint8Array.from({ length: 45 }, (_, index) => index);

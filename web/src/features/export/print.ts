@@ -5,7 +5,7 @@
  * begins with the first key or click, there is nothing to print but what is seen.
  */
 import { moreWords, t } from "../../i18n/words";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 
 const fetchSheet = once(async () => {
   const [sheet] = await Promise.all([import("./sheet/sheet"), moreWords()]);
@@ -26,7 +26,7 @@ export function printSheet(): void {
   fetchSheet()
     .then((print) => print())
     .catch(() => {
-      complain(new Error(t("out.print-failed")));
+      reportError(new Error(t("out.print-failed")));
     });
 }
 

@@ -1,8 +1,8 @@
 /** The examples: found by words, level, topic and robot; walked by arrows; pictures that move while they are seen. */
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
-import type { MissionEntry } from "../../api/generated";
 import * as client from "../../api/client";
+import type { MissionEntry } from "../../api/generated";
 import { moreWords } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { CARRIER, fileOf, missionOf } from "../../model/testing/missions";
@@ -10,8 +10,7 @@ import { useDocument } from "../../session/document";
 import { type Hands, handsOn } from "../../testing/hands";
 import { mount, type Mounted, settle } from "../../testing/hooks";
 import { Examples } from "./Examples";
-import { Gallery } from "./Gallery";
-import { usePlays } from "./plays";
+import { Gallery, usePlays } from "./Gallery";
 
 await moreWords();
 

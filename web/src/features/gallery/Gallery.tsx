@@ -1,17 +1,19 @@
 /** The examples with pictures of what they do: by level, with a search and filters. */
 import { type KeyboardEvent, useRef, useState } from "react";
+import { create } from "zustand";
 
 import type { MissionEntry } from "../../api/generated";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
-import { Card } from "./Card";
-import { ALL, byLevel, fitting, robotsOf, topicsOf, type Wish } from "./filter";
-import { SearchField } from "../../ui/SearchField";
 import { Button } from "../../ui/Button";
 import { Checkbox } from "../../ui/Checkbox";
 import { nextCard } from "../../ui/grid";
-import { playsAlways, usePlays } from "./plays";
+import { SearchField } from "../../ui/SearchField";
+import { Select } from "../../ui/Select";
+import { readStored, writeStored } from "../../ui/stored";
+import { Card } from "./Card";
+import { ALL, byLevel, fitting, robotsOf, topicsOf, type Wish } from "./filter";
 
 const LEVELS = [1, 2, 3] as const;
 
@@ -79,20 +81,17 @@ export function Gallery({ examples, open }: GalleryProps) {
             cards()[0]?.focus();
           }}
         />
-        <select
+        <Select
           className="field gallery-robot"
-          aria-label={t("gallery.robot")}
-          data-testid="gallery-robot"
+          label={t("gallery.robot")}
+          testId="gallery-robot"
           value={wish.robot}
-          onChange={(event) => change({ robot: event.target.value })}
-        >
-          <option value="">{t("gallery.robot-all")}</option>
-          {robotsOf(examples).map((name) => (
-            <option key={name} value={name}>
-              {robotName(name)}
-            </option>
-          ))}
-        </select>
+          options={[
+            ["", t("gallery.robot-all")],
+            ...robotsOf(examples).map((name) => [name, robotName(name)] as const),
+          ]}
+          keep={(robot) => change({ robot })}
+        />
         <Checkbox className="gallery-plays finger" testId="gallery-plays" checked={plays} set={playsAlways}>
           {t("gallery.move")}
         </Checkbox>
@@ -153,4 +152,14 @@ export function Gallery({ examples, open }: GalleryProps) {
       ))}
     </section>
   );
+}
+
+/** Whether pictures of the gallery move by themselves; remembered in this browser. */
+const KEY = "kitrobot.gallery-still";
+
+export const usePlays = create<{ on: boolean }>(() => ({ on: readStored(KEY) === null }));
+
+function playsAlways(on: boolean): void {
+  usePlays.setState({ on });
+  writeStored(KEY, on ? null : "yes");
 }

@@ -1,14 +1,14 @@
 /** What can be opened: missions of the folder, examples, recordings, work that was left. */
-import { complain, show } from "../../session/document";
+import { reportError, show } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { later } from "../../ui/later";
 
-const Examples = later(() => import("./Examples").then((chunk) => chunk.Examples), complain, { words: false });
+const Examples = later(() => import("./Examples").then((chunk) => chunk.Examples), reportError, { words: false });
 const OpenSheet = later(
   () => import("./OpenSheet").then((chunk) => chunk.OpenSheet),
   (cause) => {
     show(null);
-    complain(cause);
+    reportError(cause);
   },
 );
 

@@ -3,11 +3,11 @@ import { api } from "../../api/client";
 import type { Left, MissionEntry, RecordingEntry } from "../../api/generated";
 import { journalApi } from "../../api/journal";
 import { traceApi } from "../../api/traces";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { useFetched } from "../../ui/use-fetched";
 
 function none(cause: unknown): never[] {
-  complain(cause);
+  reportError(cause);
   return [];
 }
 

@@ -1,12 +1,12 @@
 /** Files that a person drops or chooses. What takes them in is fetched when there are some. */
 import { moreWords, t } from "../../i18n/words";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { menuItem } from "../../ui/menu-model";
 import type * as taking from "./take";
 
 function take(act: (loaded: typeof taking) => unknown): void {
-  Promise.all([import("./take"), moreWords()]).then(([loaded]) => act(loaded), complain);
+  Promise.all([import("./take"), moreWords()]).then(([loaded]) => act(loaded), reportError);
 }
 
 export const importFiles: Feature = {

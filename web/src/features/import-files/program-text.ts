@@ -2,11 +2,12 @@
 import { api, ApiError } from "../../api/client";
 import { sentence, t } from "../../i18n/words";
 import { emptyProgram } from "../../model/commands/changePrograms";
+import { freeName } from "../../model/free-name";
 import { robotKinds } from "../../model/robot-kinds";
 import { programInView, useStudio } from "../../model/studio";
 import type { Program } from "../../model/types";
-import { addProgramWithAgent, freeName } from "../../session/actions";
-import { complain, note } from "../../session/document";
+import { addProgramWithAgent } from "../../session/actions";
+import { note, reportError } from "../../session/document";
 
 const TREE = /^[^<]*(?:<[?!][^>]*>[^<]*)*<root[\s>]/;
 const NAME = /^\p{L}[\p{L}\p{N}_-]*$/u;
@@ -40,7 +41,7 @@ export async function takeProgramText(file: File): Promise<void> {
     if (program === null) throw refusal(file.name, problems);
     addDrawn(file.name, robot, program);
   } catch (cause) {
-    complain(cause);
+    reportError(cause);
   }
 }
 

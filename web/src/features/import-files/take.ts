@@ -7,10 +7,12 @@
 import { ApiError } from "../../api/client";
 import type { PartsFile } from "../../api/generated";
 import { partsApi } from "../../api/parts";
-import { type Key, languageInUse, t } from "../../i18n/words";
+import { type Failure, whyRefused } from "../../api/refusal";
+import { type Key, listed, t } from "../../i18n/words";
 import { changeWorld, sameWorld } from "../../model/commands/changeWorld";
 import { useStudio } from "../../model/studio";
 import { addProgramFor } from "../../session/actions";
+import { openDock } from "../../session/dock";
 import {
   type Banner,
   type BannerAction,
@@ -21,7 +23,6 @@ import {
   useDocument,
 } from "../../session/document";
 import { openFromComputer } from "../../session/open-requests";
-import { openDock } from "../../session/dock";
 import { PROBLEMS } from "../../session/problem-walk";
 import { showDifference } from "../../session/saving";
 import { openTeam } from "../../session/team-view";
@@ -67,14 +68,13 @@ export function chooseParts(): void {
 
 async function takeParts(files: readonly File[]): Promise<void> {
   const added: PartsFile[] = [];
-  const refused: { message: string; help: string }[] = [];
+  const refused: Failure[] = [];
   for (const file of files) {
     try {
       const found = await take(file);
       if (found !== null) added.push(found);
     } catch (cause) {
-      const [message, help] = cause instanceof ApiError ? [cause.message, cause.help] : [String(cause), ""];
-      refused.push({ message, help });
+      refused.push(whyRefused(cause));
     }
   }
   if (added.length > 0) await readParts();
@@ -128,10 +128,6 @@ function mayReplace(file: string, changes: readonly string[]): Promise<boolean> 
     };
     ask();
   });
-}
-
-function listed(names: readonly string[]): string {
-  return new Intl.ListFormat(languageInUse(), { type: "conjunction" }).format(names);
 }
 
 function wordsFor({ file, kind, names, known }: PartsFile): string {

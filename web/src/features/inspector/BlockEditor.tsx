@@ -1,26 +1,25 @@
 /** The rows of a block: one for each value that is typed in, one for each slot, and below a slot what fills it. */
+import { FieldRow } from "../../components/fields/FieldRow";
 import { t } from "../../i18n/words";
 import type { Command } from "../../model/command";
 import { deleteParts } from "../../model/commands/deleteParts";
 import { insertPart } from "../../model/commands/insertPart";
 import { replaceElement } from "../../model/commands/replaceElement";
-import { fieldOf, type Field, fits, type Parts, type Plug, type Shape, title } from "../../model/parts";
+import { type Field, fieldOf, fits, type Parts, type Plug, type Shape, title } from "../../model/parts";
 import type { Block } from "../../model/structure";
-import { useStudio } from "../../model/studio";
+import { execute, useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { Spot } from "../../model/tree";
 import { wordsOf } from "../../model/words";
 import type { Drawing } from "../../session/drawing";
+import { useShown } from "../../session/simple-view";
+import { addressOf, toggleVaried, useVaried } from "../../session/varied";
 import { Icon } from "../../theme";
-import { FieldRow } from "../../components/fields/FieldRow";
-import { VaryButton } from "./VaryButton";
-import { addressOf } from "../../session/varied";
 import { Row } from "../../ui/Row";
 
 /** Runs a command and leaves the selection where it is. */
 function runHere(command: Command | null): void {
-  const { execute, selection } = useStudio.getState();
-  if (command !== null) execute({ ...command, selects: selection });
+  if (command !== null) execute({ ...command, selects: useStudio.getState().selection });
 }
 
 export function BlockEditor({ drawing, spot }: { drawing: Drawing; spot: Spot }) {
@@ -89,9 +88,7 @@ function ValueRow({ drawing, block, field }: { drawing: Drawing; block: Block; f
         className="inspector-small"
         aria-label={t("inspector.type-instead")}
         title={t("inspector.type-instead")}
-        onClick={() => {
-          runHere(deleteParts(program, parts, [filler.vertex.id]));
-        }}
+        onClick={() => runHere(deleteParts(program, parts, [filler.vertex.id]))}
       >
         <Icon name="x" />
       </button>
@@ -132,9 +129,7 @@ function SlotRow({ drawing, owner, plug, label, children }: SlotRowProps) {
           data-inspector-field=""
           data-testid={`choose-${owner.vertex.id}.${plug.name}`}
           value={filler?.shape.element ?? ""}
-          onChange={(event) => {
-            choose(event.target.value);
-          }}
+          onChange={(event) => choose(event.target.value)}
         >
           <option value="">{filler === null ? t("inspector.choose") : t("inspector.clear")}</option>
           {groupsOf(known, parts).map(([group, shapes]) => (
@@ -176,4 +171,26 @@ function optionWords(shape: Shape): string {
   if (phrase === "" || shape.object === null) return title(shape);
   const object = text(shape.object.label, shape.object.name);
   return phrase.replace(/\{([^}]*)\}/g, (_, hole: string) => (hole === "object" ? object : "…"));
+}
+
+/** Marks a number to vary in an experiment, and says beside it which values it takes there. */
+function VaryButton({ address, name }: { address: string; name: string }) {
+  const axis = useVaried(({ axes }) => axes.find((one) => one.address === address));
+  if (!useShown("verification")) return null;
+  return (
+    <div className="inspector-vary row small-text">
+      <button
+        type="button"
+        className="inspector-vary-button finger"
+        aria-pressed={axis !== undefined}
+        title={t("experiment.vary-part")}
+        aria-label={t(axis === undefined ? "experiment.vary-field" : "experiment.varied-field", { name })}
+        data-testid={`vary-${address}`}
+        onClick={() => toggleVaried(address)}
+      >
+        {t("experiment.vary")}
+      </button>
+      {axis === undefined || axis.values === "" ? null : <code dir="ltr">{axis.values}</code>}
+    </div>
+  );
 }

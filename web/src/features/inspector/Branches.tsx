@@ -2,13 +2,12 @@
 import { t } from "../../i18n/words";
 import { addBranch, removeBranch } from "../../model/commands/changeBranches";
 import type { Block } from "../../model/structure";
-import { useStudio } from "../../model/studio";
+import { execute } from "../../model/studio";
 import { useDrawing } from "../../session/drawing";
 import { Icon } from "../../theme";
 
 export function Branches({ block }: { block: Block }) {
   const drawing = useDrawing();
-  const execute = useStudio((state) => state.execute);
   const flow = block.shape.flows.find((one) => one.repeat);
   if (flow === undefined || drawing === null) return null;
   const { program, parts } = drawing;
@@ -27,9 +26,7 @@ export function Branches({ block }: { block: Block }) {
           aria-label={t("inspector.remove-branch")}
           title={t("inspector.remove-branch")}
           disabled={less === null}
-          onClick={() => {
-            if (less !== null) execute(less);
-          }}
+          onClick={() => execute(less)}
         >
           <Icon name="minus" />
         </button>
@@ -39,10 +36,7 @@ export function Branches({ block }: { block: Block }) {
           data-testid="add-branch"
           aria-label={t("inspector.add-branch")}
           title={t("inspector.add-branch")}
-          onClick={() => {
-            const more = addBranch(program, parts, id);
-            if (more !== null) execute(more);
-          }}
+          onClick={() => execute(addBranch(program, parts, id))}
         >
           <Icon name="plus" />
         </button>

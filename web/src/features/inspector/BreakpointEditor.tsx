@@ -7,7 +7,7 @@ import { Switch } from "../../components/fields/FieldRow";
 import { NumberInput } from "../../components/fields/NumberInput";
 import { t } from "../../i18n/words";
 import { breakpointAt, removeBreakpoint, setBreakpoint } from "../../model/commands/changeBreakpoints";
-import { useStudio } from "../../model/studio";
+import { execute, useStudio } from "../../model/studio";
 import type { Breakpoint } from "../../model/types";
 import { instructionOf } from "../../session/breakpoints";
 import { type Drawing, useDrawing } from "../../session/drawing";
@@ -28,10 +28,8 @@ function Editor({ drawing, vertex }: { drawing: Drawing; vertex: string }) {
   const program = drawing.program.name;
   const breakpoint = useStudio(({ mission }) => breakpointAt(mission, program, vertex));
   const put = (made: Breakpoint | null) => {
-    const { mission, execute } = useStudio.getState();
-    const command =
-      made === null ? removeBreakpoint(mission, program, vertex) : setBreakpoint(drawing.parts, mission, made);
-    if (command !== null) execute(command);
+    const { mission } = useStudio.getState();
+    execute(made === null ? removeBreakpoint(mission, program, vertex) : setBreakpoint(drawing.parts, mission, made));
   };
   return (
     <section className="breakpoint-editor" aria-label={t("debug.breakpoint")}>

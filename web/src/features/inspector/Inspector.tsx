@@ -7,13 +7,13 @@ import { handKey } from "../../i18n/touch";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { findSpot } from "../../model/tree";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { useDrawing } from "../../session/drawing";
 import { Icon } from "../../theme";
 import { later } from "../../ui/later";
 import { Tools } from "./Tools";
 
-const Part = later(() => import("./Part").then((chunk) => chunk.Part), complain);
+const Part = later(() => import("./Part").then((chunk) => chunk.Part), reportError);
 
 export function Inspector() {
   const drawing = useDrawing();

@@ -1,11 +1,11 @@
 /** Switches for the marks that an action in a parallel can have: constructors whose only slot is an action. */
+import { Switch } from "../../components/fields/FieldRow";
 import { toggleMark } from "../../model/commands/toggleMark";
 import { shortTitle } from "../../model/parts";
-import { useStudio } from "../../model/studio";
+import { execute } from "../../model/studio";
 import { text } from "../../model/texts";
 import { canMark, markAround, type Spot } from "../../model/tree";
 import type { Drawing } from "../../session/drawing";
-import { Switch } from "../../components/fields/FieldRow";
 
 /** Whether the spot is in a branch: in a body of a repeated slot. */
 function inBranch(spot: Spot): boolean {
@@ -16,7 +16,6 @@ function inBranch(spot: Spot): boolean {
 }
 
 export function Marks({ drawing, spot }: { drawing: Drawing; spot: Spot }) {
-  const execute = useStudio((state) => state.execute);
   const { program, parts } = drawing;
   const around = markAround(spot);
   if (around === undefined && !(canMark(spot) && inBranch(spot))) return null;
@@ -38,10 +37,7 @@ export function Marks({ drawing, spot }: { drawing: Drawing; spot: Spot }) {
         on={around !== undefined}
         label={shortTitle(mark)}
         testid={`mark-${mark.element}`}
-        toggle={() => {
-          const command = toggleMark(program, parts, spot.block.vertex.id, mark.element);
-          if (command !== null) execute(command);
-        }}
+        toggle={() => execute(toggleMark(program, parts, spot.block.vertex.id, mark.element))}
       />
     </div>
   ));

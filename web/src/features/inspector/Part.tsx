@@ -5,7 +5,7 @@ import { t } from "../../i18n/words";
 import { setNote } from "../../model/commands/setNote";
 import { noteText } from "../../model/notes";
 import { title } from "../../model/parts";
-import { useStudio } from "../../model/studio";
+import { execute, useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import { type Spot, withMark } from "../../model/tree";
 import type { Vertex } from "../../model/types";
@@ -60,7 +60,6 @@ function useLine(id: string, mark: string): number | null {
 
 function NoteField({ vertex }: { vertex: Vertex }): ReactNode {
   const drawing = useDrawing();
-  const execute = useStudio((state) => state.execute);
   if (drawing === null) return null;
   return (
     <label className="inspector-note">
@@ -71,10 +70,7 @@ function NoteField({ vertex }: { vertex: Vertex }): ReactNode {
         dir="auto"
         placeholder={t("inspector.note-hint")}
         value={noteText(vertex.notes)}
-        onChange={(event) => {
-          const command = setNote(drawing.program, vertex.id, event.target.value);
-          if (command !== null) execute(command);
-        }}
+        onChange={(event) => execute(setNote(drawing.program, vertex.id, event.target.value))}
       />
     </label>
   );

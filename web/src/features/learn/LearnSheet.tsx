@@ -1,4 +1,6 @@
 /** The path to learn as a sheet: how far one is, the way on, and every lesson with its picture and its tick. */
+import "./learn.css";
+
 import { useEffect } from "react";
 
 import { Doors } from "../../components/Doors";
@@ -9,9 +11,9 @@ import { nextLesson } from "../../session/lesson";
 import { lookForLessons, useLessons } from "../../session/lessons";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
+import { listen } from "../../ui/effects";
 import { Sheet } from "../../ui/Sheet";
 import { Path } from "./Path";
-import "./learn.css";
 
 // One chunk: an empty program shows a few of what the sheet shows all of.
 export { Invitation } from "./Invitation";
@@ -43,9 +45,7 @@ export function LearnSheet() {
   useEffect(() => {
     void lookForLessons();
     // Whoever writes a lesson looks at the page after saving its file.
-    const onFocus = () => void lookForLessons();
-    window.addEventListener("focus", onFocus);
-    return () => window.removeEventListener("focus", onFocus);
+    return listen(window, { focus: () => void lookForLessons() });
   }, []);
   return (
     <Sheet title={t("learn.open")} testId="learn-sheet" wide onClose={closeOverlay}>

@@ -1,6 +1,6 @@
 /** The path to learn: tutorials and exercises in one order, as a sheet and under an empty program. */
 import { t } from "../../i18n/words";
-import { complain, show } from "../../session/document";
+import { reportError, show } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { keyFor, type PageKey } from "../../session/key-table";
 import type { MenuEntries } from "../../session/menu-table";
@@ -11,10 +11,10 @@ const LearnSheet = later(
   () => import("./LearnSheet").then((chunk) => chunk.LearnSheet),
   (cause) => {
     show(null);
-    complain(cause);
+    reportError(cause);
   },
 );
-const Invitation = later(() => import("./LearnSheet").then((chunk) => chunk.Invitation), complain, { words: false });
+const Invitation = later(() => import("./LearnSheet").then((chunk) => chunk.Invitation), reportError, { words: false });
 
 declare module "../../session/document" {
   interface Overlays {

@@ -3,6 +3,8 @@
  *
  * It is one form: Enter begins from anywhere in it. Its rows are radio groups of the browser's own.
  */
+import "./new-mission.css";
+
 import { type ReactNode, useCallback, useEffect, useRef, useState } from "react";
 import { create } from "zustand";
 
@@ -10,31 +12,30 @@ import { beginningsApi } from "../../api/beginnings";
 import { api } from "../../api/client";
 import type { Ability, Beginnings, Preview, RunPreview } from "../../api/generated";
 import { journalApi } from "../../api/journal";
-import { t } from "../../i18n/words";
 import { Doors } from "../../components/Doors";
+import { t } from "../../i18n/words";
 import { firstSentence, text } from "../../model/texts";
-import { closeOverlay, complain, freeMissionName, show } from "../../session/document";
+import { closeOverlay, freeMissionName, reportError, show } from "../../session/document";
 import { beginMission } from "../../session/open-requests";
 import { Icon } from "../../theme";
+import { borrowFocus } from "../../ui/borrow-focus";
 import { later } from "../../ui/later";
 import { Tool } from "../../ui/Tool";
 import { useFetched } from "../../ui/use-fetched";
 import { type Choice, chosenPlace, fittingFirst, NOTHING, placeFits, settled, starterFits } from "./choosing";
 import { RobotsPicture } from "./RobotsPicture";
-import "./new-mission.css";
-import { borrowFocus } from "../../ui/borrow-focus";
 
 const GraphPicture = later(
   () => import("../../components/WorldPicture").then((chunk) => chunk.GraphPicture),
-  complain,
+  reportError,
   { words: false },
 );
 const WorldPicture = later(
   () => import("../../components/WorldPicture").then((chunk) => chunk.WorldPicture),
-  complain,
+  reportError,
   { words: false },
 );
-const RunPicture = later(() => import("../../components/RunPicture").then((chunk) => chunk.RunPicture), complain, {
+const RunPicture = later(() => import("../../components/RunPicture").then((chunk) => chunk.RunPicture), reportError, {
   words: false,
 });
 
@@ -44,7 +45,7 @@ const useLastChoice = create<Choice>(() => ({ robotSet: "", place: "", starter: 
 function useBeginnings(): Beginnings | null {
   return useFetched(beginningsApi.all, (cause) => {
     closeOverlay();
-    complain(cause);
+    reportError(cause);
     return null;
   });
 }
@@ -55,7 +56,7 @@ async function namesTaken(): Promise<string[]> {
 }
 
 function noNames(cause: unknown): string[] {
-  complain(cause);
+  reportError(cause);
   return [];
 }
 
@@ -68,7 +69,7 @@ function usePreviews({ robotSet, place }: Choice): Preview[] {
     [robotSet, place],
   );
   const found = useFetched(ask, (cause) => {
-    complain(cause);
+    reportError(cause);
     return NO_PREVIEWS;
   });
   return found ?? NO_PREVIEWS;

@@ -1,5 +1,5 @@
 /** A new mission begins with pictures: which robot, in which place, with which first program. */
-import { complain, show } from "../../session/document";
+import { reportError, show } from "../../session/document";
 import type { Feature } from "../../session/features";
 import { later } from "../../ui/later";
 
@@ -7,7 +7,7 @@ const NewMission = later(
   () => import("./NewMission").then((chunk) => chunk.NewMission),
   (cause) => {
     show(null);
-    complain(cause);
+    reportError(cause);
   },
   { words: false },
 );

@@ -5,28 +5,26 @@ import { type KeyboardEvent, useEffect, useMemo, useRef, useState } from "react"
 
 import { mirrored } from "../../i18n/language";
 import { t } from "../../i18n/words";
-import { partsOf } from "../../model/parts";
 import { elsewhere } from "../../model/part-search";
+import { partsOf } from "../../model/parts";
 import { programInView, useStudio } from "../../model/studio";
-import { isOwn } from "../../session/custom-blocks";
-import { complain } from "../../session/document";
-import { setBin } from "../../session/drag";
+import { reportError } from "../../session/document";
+import { setBin, useDrag } from "../../session/drag";
 import { addPart } from "../../session/edits";
 import { useKit } from "../../session/kit";
 import { useReveal } from "../../session/reveal";
-import { newVariable, useVariables, variableKey } from "../../session/variables";
+import { newVariable, useVariables } from "../../session/variables";
 import { Icon } from "../../theme";
 import { later } from "../../ui/later";
-import { Bin } from "./Bin";
-import { ownKey } from "./custom-row";
 import { PaletteRow } from "./PaletteRow";
 import { PaletteTabs, sectionId } from "./PaletteTabs";
 import { RobotButton } from "./RobotButton";
+import { actionsOf, rowKey } from "./row-actions";
 import { partsOfKit, type Row, rowOfPart, tabsOf } from "./tree";
 import { VariableMenu } from "./VariableMenu";
 
-const KitNote = later(() => import("./KitNote").then((chunk) => chunk.KitNote), complain);
-const VariableForm = later(() => import("./VariableForm").then((chunk) => chunk.VariableForm), complain);
+const KitNote = later(() => import("./KitNote").then((chunk) => chunk.KitNote), reportError);
+const VariableForm = later(() => import("./VariableForm").then((chunk) => chunk.VariableForm), reportError);
 
 export function Palette() {
   const form = useVariables((state) => state.form);
@@ -83,6 +81,7 @@ export function Palette() {
     const row = items[index];
     if (row === undefined) return;
     const tab = tabs.findIndex(({ rows }) => rows.includes(row));
+    const actions = actionsOf(row, robot);
     const [onwards, backwards] = mirrored() ? ["ArrowLeft", "ArrowRight"] : ["ArrowRight", "ArrowLeft"];
     if (event.key === "ArrowDown") go(items[index + 1]);
     else if (event.key === "ArrowUp") go(items[index - 1]);
@@ -91,13 +90,7 @@ export function Palette() {
     else if (event.key === onwards) go(tabs[tab + 1]?.rows[0]);
     else if (event.key === backwards) go(tabs[tab - 1]?.rows[0]);
     else if (event.key === "/") find.current?.focus();
-    else if (
-      row.kind === "object" &&
-      row.object.category === "variable" &&
-      variableKey(event, { robot, name: row.object.name }, () => document.activeElement?.getBoundingClientRect())
-    )
-      event.stopPropagation();
-    else if (row.kind === "part" && isOwn(row.shape) && ownKey(event, row.shape.element)) event.stopPropagation();
+    else if (actions !== null && rowKey(event, actions)) event.stopPropagation();
     else if (event.key === "Enter" || event.key === " ") {
       if (row.kind === "new") newVariable();
       else if (row.kind === "part") addPart(row.shape.element);
@@ -126,9 +119,7 @@ export function Palette() {
             placeholder={t("parts.find-example")}
             data-testid="part-find"
             value={query}
-            onChange={(event) => {
-              setQuery(event.target.value);
-            }}
+            onChange={(event) => setQuery(event.target.value)}
             onKeyDown={(event) => {
               if (event.key === "Escape") setQuery("");
               else if (event.key === "ArrowDown") go(items[0]);
@@ -196,6 +187,19 @@ function NoneFound({ query, robot }: { query: string; robot: string }) {
       {others.map((one) => (
         <p key={one.robot}>{t("parts.elsewhere", { robot: one.robot, parts: one.parts.join(" · ") })}</p>
       ))}
+    </div>
+  );
+}
+
+/** While parts of the graph are dragged: what is dropped on the list of parts is thrown away. */
+function Bin() {
+  const open = useDrag(({ payload }) => payload?.kind === "vertices");
+  const away = useDrag((drag) => drag.away);
+  if (!open) return null;
+  return (
+    <div className="palette-bin column bold" data-away={away} data-testid="parts-bin" aria-hidden="true">
+      <Icon name="trash-2" size={24} />
+      {t("parts.throw-away")}
     </div>
   );
 }

@@ -1,18 +1,18 @@
 /** A row of the palette: a part, the robot's object above its parts, or the way to a new variable. */
+import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { RobotObject } from "../../model/types";
 import { valueWords } from "../../model/words";
-import { isOwn } from "../../session/custom-blocks";
+import { openPartMenu } from "../../session/custom-blocks";
 import { beginDrag, justDragged } from "../../session/drag";
 import { addPart } from "../../session/edits";
 import { useRun, watchedAgent } from "../../session/run";
-import { newVariable, useVariables } from "../../session/variables";
+import { newVariable, renameVariable, useVariables } from "../../session/variables";
 import { Icon, Tile } from "../../theme";
-import { ownHandlers, restOnOwn } from "./custom-row";
-import { CustomBlockMore } from "./CustomBlockMore";
+import { onLongPress } from "../../ui/long-press";
+import { actionsOf, removableProps } from "./row-actions";
 import type { Row } from "./tree";
-import { variableHandlers } from "./variable-row";
 import { VariableName } from "./VariableName";
 
 interface RowProps {
@@ -49,6 +49,7 @@ export function PaletteRow({ row, robot, focused, onFocus, onNamed }: RowProps) 
   }
   if (row.kind === "object") return <ObjectRow {...{ row, robot, common, onNamed }} />;
   const { shape } = row;
+  const actions = actionsOf(row, robot);
   const icon = shape.method === null ? shape.icon : shape.method.icon || shape.icon;
   return (
     <div
@@ -56,10 +57,10 @@ export function PaletteRow({ row, robot, focused, onFocus, onNamed }: RowProps) 
       className="palette-part row"
       data-testid={`part-${shape.element}`}
       title={text(shape.help)}
-      {...(isOwn(shape) ? { ...ownHandlers(shape.element), "data-removable": true } : {})}
+      {...(actions === null ? {} : removableProps(actions))}
       onPointerDown={(event) => {
         beginDrag(event, { kind: "part", element: shape.element });
-        if (isOwn(shape)) restOnOwn(event, shape.element);
+        if (actions !== null) onLongPress(event, actions.openMenu);
       }}
       onClick={() => {
         if (!justDragged()) addPart(shape.element);
@@ -68,7 +69,7 @@ export function PaletteRow({ row, robot, focused, onFocus, onNamed }: RowProps) 
       <Tile icon={icon} colour={shape.colour} size={22} />
       <span className="palette-name">{row.label}</span>
       {row.aside === "" ? null : <span className="palette-aside ellipsis muted">{row.aside}</span>}
-      {isOwn(shape) ? <CustomBlockMore name={shape.element} /> : null}
+      {actions === null ? null : <CustomBlockMore name={shape.element} />}
     </div>
   );
 }
@@ -84,10 +85,13 @@ function ObjectRow({ row, robot, common, onNamed }: ObjectProps) {
   const renaming = useVariables((state) => state.renaming);
   const { object } = row;
   const variable = object.category === "variable" ? { robot, name: object.name } : null;
+  const actions = actionsOf(row, robot);
   return (
     <div
       {...common}
-      {...(variable === null ? {} : { ...variableHandlers(variable), "data-removable": true })}
+      {...(actions === null ? {} : removableProps(actions))}
+      {...(variable === null ? {} : { onDoubleClick: () => renameVariable(variable) })}
+      onPointerDown={(event) => actions !== null && onLongPress(event, actions.openMenu)}
       className="palette-object row"
       data-testid={`object-${object.name}`}
     >
@@ -117,4 +121,25 @@ function Live({ object }: { object: RobotObject }) {
   });
   if (value === undefined) return null;
   return <span className="palette-live rigid">{valueWords(object, value)}</span>;
+}
+
+/** The button at the end of a part's row that opens its menu; keys open it from the row itself. */
+function CustomBlockMore({ name }: { name: string }) {
+  return (
+    <button
+      type="button"
+      className="own-more muted rigid"
+      tabIndex={-1}
+      aria-label={t("own.menu", { name })}
+      title={t("own.menu", { name })}
+      onPointerDown={(event) => event.stopPropagation()}
+      onClick={(event) => {
+        event.stopPropagation();
+        const box = event.currentTarget.getBoundingClientRect();
+        openPartMenu(name, box.left, box.bottom);
+      }}
+    >
+      <Icon name="ellipsis" size={16} />
+    </button>
+  );
 }

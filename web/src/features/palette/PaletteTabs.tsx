@@ -3,6 +3,7 @@ import { type RefObject, useEffect, useState } from "react";
 
 import { t } from "../../i18n/words";
 import { Tile } from "../../theme";
+import { listen } from "../../ui/effects";
 import type { Tab } from "./tree";
 
 /** How far under the upper edge a section may begin to be the one in view. */
@@ -25,8 +26,7 @@ function useInView(list: RefObject<HTMLElement | null>, tabs: readonly Tab[]): s
       setInView((sections.at(-1) ?? tabs[0])?.name ?? "");
     };
     look();
-    box.addEventListener("scroll", look, { passive: true });
-    return () => box.removeEventListener("scroll", look);
+    return listen(box, { scroll: look }, { passive: true });
   }, [list, tabs]);
   return inView;
 }

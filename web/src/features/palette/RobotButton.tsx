@@ -1,26 +1,25 @@
 /** The robot that the program is for, above its parts: a button with the robots that there are. */
 import { t } from "../../i18n/words";
 import { robotKinds } from "../../model/robot-kinds";
-import { programInView, useStudio } from "../../model/studio";
+import { execute, programInView, useStudio } from "../../model/studio";
 import { TEAM_ROBOT } from "../../model/team-robot";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { Icon } from "../../theme";
 import { later } from "../../ui/later";
-import { MenuButton } from "../../ui/MenuButton";
 import type { MenuEntry } from "../../ui/menu-model";
+import { MenuButton } from "../../ui/MenuButton";
 
 const RobotPicture = later(
   () => import("../../components/RobotPicture").then((chunk) => chunk.RobotPicture),
-  complain,
+  reportError,
   { words: false },
 );
 
 function takeRobot(robot: string): void {
   import("../../model/commands/changeRobot").then(({ changeRobot }) => {
-    const { mission, catalogue, activeProgram, execute } = useStudio.getState();
-    const command = changeRobot(mission, catalogue, activeProgram, robot);
-    if (command !== null) execute(command);
-  }, complain);
+    const { mission, catalogue, activeProgram } = useStudio.getState();
+    execute(changeRobot(mission, catalogue, activeProgram, robot));
+  }, reportError);
 }
 
 /** Nothing in a program of a team, whose parts are those of several robots. */

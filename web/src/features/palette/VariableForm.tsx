@@ -1,7 +1,7 @@
 /** A variable as a form at the foot of the palette: for a new one, or for one of the mission's that is to be otherwise. */
 import { type FormEvent, useEffect, useId, useRef, useState } from "react";
 
-import { ApiError } from "../../api/client";
+import { failureWords } from "../../api/refusal";
 import { readWhole } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
@@ -12,6 +12,7 @@ import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
 import { Checkbox } from "../../ui/Checkbox";
 import { Field } from "../../ui/Field";
+import { Select } from "../../ui/Select";
 
 const USUAL = { type: "integer", min: "0", max: "100", initial: "0", shared: false } as const;
 
@@ -69,7 +70,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
       if (was === "") closeForm();
       else close();
     } catch (cause) {
-      setWhy(cause instanceof ApiError ? `${cause.message} ${cause.help}` : String(cause));
+      setWhy(failureWords(cause));
     }
   };
   const title = was === "" ? t("variable.new") : t("variable.change", { name: was });
@@ -121,15 +122,16 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
         />
       </Field>
       <Field label={t("variable.type")}>
-        <select
-          className="field"
-          data-testid="variable-type"
+        <Select
+          label={t("variable.type")}
+          testId="variable-type"
           value={typed.type}
-          onChange={(event) => change({ type: event.target.value as Typed["type"], initial: "0" })}
-        >
-          <option value="integer">{t("variable.integer")}</option>
-          <option value="boolean">{t("variable.boolean")}</option>
-        </select>
+          options={[
+            ["integer", t("variable.integer")],
+            ["boolean", t("variable.boolean")],
+          ]}
+          keep={(type) => change({ type: type as Typed["type"], initial: "0" })}
+        />
       </Field>
       <div className="variable-numbers">
         {isNumber ? (
@@ -140,15 +142,17 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
           </>
         ) : (
           <Field label={t("variable.initial")}>
-            <select
-              className="field"
-              data-testid="variable-initial"
+            <Select
+              label={t("variable.initial")}
+              testId="variable-initial"
               value={typed.initial}
-              onChange={(event) => change({ initial: event.target.value })}
-            >
-              <option value="0">{t("variable.no")}</option>
-              <option value="1">{t("variable.yes")}</option>
-            </select>
+              options={[
+                ["0", t("variable.no")],
+                ["1", t("variable.yes")],
+              ]}
+              wrong={false}
+              keep={(initial) => change({ initial })}
+            />
           </Field>
         )}
       </div>

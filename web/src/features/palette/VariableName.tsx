@@ -1,12 +1,13 @@
 /** A variable's name, typed over in its row of the palette; why a name cannot be is said under it. */
+import "./variables.css";
+
 import { useEffect, useId, useRef, useState } from "react";
 
-import { ApiError } from "../../api/client";
+import { failureWords } from "../../api/refusal";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { typedName } from "../../model/typed-name";
 import { keepVariable, type Named, ownVariable, stopRenaming, wantedLike } from "../../session/variables";
-import "./variables.css";
 
 export function VariableName({ of, done }: { of: Named; done: (name: string) => void }) {
   const [text, setText] = useState(of.name);
@@ -36,7 +37,7 @@ export function VariableName({ of, done }: { of: Named; done: (name: string) => 
       await keepVariable(wantedLike(of.robot, own, name));
       stop(name);
     } catch (cause) {
-      setWhy(cause instanceof ApiError ? `${cause.message} ${cause.help}` : String(cause));
+      setWhy(failureWords(cause));
       input.current?.focus();
     }
     busy.current = false;

@@ -2,13 +2,15 @@
 import { useId } from "react";
 
 import { StateShape } from "../../components/StateShape";
+import { grouped } from "../../i18n/numbers";
+import { Said } from "../../i18n/Said";
+import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { showFirstProblem } from "../../session/problem-walk";
 import { Icon } from "../../theme";
-import { Said } from "../../i18n/Said";
-import { grouped } from "../../i18n/numbers";
-import { t } from "../../i18n/words";
 import { Row } from "../../ui/Row";
+import { Select } from "../../ui/Select";
+import { Tool } from "../../ui/Tool";
 import {
   beginBench,
   cancelSending,
@@ -24,37 +26,12 @@ import {
   watchBoard,
 } from "./actions";
 import { chooseProgram, isMine, type Place, programFor, useBoards } from "./boards";
-import { dropBoard } from "./serial";
-import { Act, Sending, TroubleBox, WayOut } from "./parts";
 import { KitChoice } from "./KitChoice";
-import { TryParts } from "./TryParts";
+import { Act, Sending, TroubleBox, WayOut } from "./parts";
 import { playRecording, saveRecording } from "./recording";
+import { dropBoard } from "./serial";
+import { TryParts } from "./TryParts";
 import type { Board } from "./wire";
-
-function SmallTool({
-  icon,
-  label,
-  testId,
-  onPress,
-}: {
-  icon: string;
-  label: string;
-  testId: string;
-  onPress: () => void;
-}) {
-  return (
-    <button
-      type="button"
-      className="tool small rigid"
-      aria-label={label}
-      title={label}
-      data-testid={testId}
-      onClick={onPress}
-    >
-      <Icon name={icon} size={16} />
-    </button>
-  );
-}
 
 const SHAPES = { none: "idle", ready: "idle", running: "running", ended: "idle", fault: "failed" } as const;
 
@@ -164,17 +141,14 @@ function Program({ address, disabled }: { address: string; disabled: boolean }) 
   const names = programs.map(({ name }) => name);
   return (
     <Row label={t("boards.program")} className="robot-program muted">
-      <select
-        className="field"
-        data-testid="robot-program"
+      <Select
+        label={t("boards.program")}
+        testId="robot-program"
         disabled={disabled}
         value={programFor(state, address, names, open)}
-        onChange={(event) => chooseProgram(address, event.target.value)}
-      >
-        {names.map((name) => (
-          <option key={name}>{name}</option>
-        ))}
-      </select>
+        options={names}
+        keep={(program) => chooseProgram(address, program)}
+      />
     </Row>
   );
 }
@@ -298,27 +272,30 @@ export function BoardCard({ place }: { place: Place }) {
         )}
         <span className="robots-space" />
         {open && mine ? (
-          <SmallTool
+          <Tool
+            small
             icon="lightbulb"
             label={t("boards.identify", { name })}
             testId="robot-identify"
-            onPress={() => identify(address)}
+            onClick={() => identify(address)}
           />
         ) : null}
         {board !== null && mine ? (
-          <SmallTool
+          <Tool
+            small
             icon="power-off"
             label={t("boards.disconnect", { name })}
             testId="robot-disconnect"
-            onPress={() => disconnectBoard(address)}
+            onClick={() => disconnectBoard(address)}
           />
         ) : null}
         {board === null && (typed || atPage) ? (
-          <SmallTool
+          <Tool
+            small
             icon="trash-2"
             label={t("boards.remove", { name })}
             testId="robot-remove"
-            onPress={() => (atPage ? dropBoard(address) : removeAddress(address))}
+            onClick={() => (atPage ? dropBoard(address) : removeAddress(address))}
           />
         ) : null}
       </div>

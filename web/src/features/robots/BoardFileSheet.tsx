@@ -1,8 +1,8 @@
 /** Asks for the MicroPython that comes along in a file for a board's drive; one that was chosen before is offered again. */
 import { useRef, useState } from "react";
 
-import { ApiError } from "../../api/client";
 import type { KitEntry } from "../../api/generated";
+import { type Failure, whyRefused } from "../../api/refusal";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { text } from "../../model/texts";
@@ -16,16 +16,15 @@ export function BoardFileSheet() {
 }
 
 function Question({ kit, file }: { kit: KitEntry; file: File | null }) {
-  const [wrong, setWrong] = useState<{ message: string; help: string } | null>(null);
+  const [wrong, setWrong] = useState<Failure | null>(null);
   const [busy, setBusy] = useState(false);
   const chooser = useRef<HTMLInputElement>(null);
-  const fail = (cause: unknown) => setWrong(cause instanceof ApiError ? cause : { message: String(cause), help: "" });
   const save = () => {
     if (file === null) return;
     setBusy(true);
     setWrong(null);
     saveWithFirmware(kit, file)
-      .catch(fail)
+      .catch((cause: unknown) => setWrong(whyRefused(cause)))
       .finally(() => setBusy(false));
   };
   return (

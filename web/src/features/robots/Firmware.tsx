@@ -5,16 +5,16 @@
  */
 import { useEffect, useRef, useState } from "react";
 
-import { ApiError } from "../../api/client";
 import { firmwareApi } from "../../api/firmware";
 import type { Drive, KitEntry } from "../../api/generated";
+import { type Failure, whyRefused } from "../../api/refusal";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { Icon } from "../../theme";
 import { Row } from "../../ui/Row";
+import { Select } from "../../ui/Select";
 import { useBoards } from "./boards";
 import { Act, TroubleBox } from "./parts";
-import { isOlder } from "./versions";
 
 interface NeedProps {
   kit: KitEntry;
@@ -52,22 +52,17 @@ export function FirmwareNeed({ kit, has, page }: NeedProps) {
   );
 }
 
-interface Told {
-  message: string;
-  help: string;
-}
-
 /** A board in its bootloader: which drive it shows, and the file that is copied there. */
 function Flashing() {
   const [drives, setDrives] = useState<readonly Drive[] | null>(null);
   const [page, setPage] = useState("");
-  const [wrong, setWrong] = useState<Told | null>(null);
+  const [wrong, setWrong] = useState<Failure | null>(null);
   const [done, setDone] = useState("");
   const [chosen, setChosen] = useState("");
   const [file, setFile] = useState<File | null>(null);
   const [busy, setBusy] = useState(false);
 
-  const fail = (cause: unknown) => setWrong(cause instanceof ApiError ? cause : { message: String(cause), help: "" });
+  const fail = (cause: unknown) => setWrong(whyRefused(cause));
   const look = () => {
     firmwareApi.look().then((found) => {
       setWrong(null);
@@ -114,19 +109,17 @@ function Flashing() {
       ) : (
         <>
           <Row label={t("firmware.drive")} className="robot-program muted">
-            <select
-              className="field"
-              data-testid="firmware-drive"
+            <Select
+              label={t("firmware.drive")}
+              testId="firmware-drive"
               disabled={busy}
               value={drive?.folder ?? ""}
-              onChange={(event) => setChosen(event.target.value)}
-            >
-              {drives.map(({ folder, board, chip }) => (
-                <option key={folder} value={folder}>
-                  {[board || folder, chip].filter((word) => word !== "").join(" · ")}
-                </option>
-              ))}
-            </select>
+              options={drives.map(({ folder, board, chip }) => [
+                folder,
+                [board || folder, chip].filter((word) => word !== "").join(" · "),
+              ])}
+              keep={setChosen}
+            />
           </Row>
           <Row label={t("firmware.file")} className="robot-program muted">
             <input
@@ -174,4 +167,22 @@ export function FirmwarePart() {
       {open ? <Flashing /> : null}
     </details>
   );
+}
+
+/** Versions of MicroPython, as "1.20", "1.24.1" or, before it was released, "1.25.0-preview". */
+const NUMBERS = 3;
+
+/** Its numbers, then whether it is a release and no preview of that. */
+function orderOf(version: string): number[] {
+  const [numbers = "", level] = version.split("-");
+  const found = numbers.split(".").map(Number);
+  return [...Array.from({ length: NUMBERS }, (_, at) => found[at] ?? 0), level === undefined ? 1 : 0];
+}
+
+/** Whether a version is older than the least one. */
+export function isOlder(version: string, least: string): boolean {
+  const has = orderOf(version);
+  const wanted = orderOf(least);
+  const at = wanted.findIndex((number, place) => number !== has[place]);
+  return at >= 0 && (has[at] ?? 0) < (wanted[at] ?? 0);
 }

@@ -1,8 +1,8 @@
 /** For whoever has no board at hand yet: which kit it will be, what that means for the program that is open, and its robot. */
-import { languageInUse, t } from "../../i18n/words";
+import { listed, t } from "../../i18n/words";
 import { changeRobot } from "../../model/commands/changeRobot";
 import { robotKinds } from "../../model/robot-kinds";
-import { programInView, useStudio } from "../../model/studio";
+import { execute, programInView, useStudio } from "../../model/studio";
 import { TEAM_ROBOT } from "../../model/team-robot";
 import { text } from "../../model/texts";
 import { buildWith, suitedRobot, useKit } from "../../session/kit";
@@ -14,9 +14,8 @@ import { askKit, knownKit, useKitsAt } from "./kits";
 const EMPTY = 2;
 
 function takeRobot(robot: string): void {
-  const { mission, catalogue, activeProgram, execute } = useStudio.getState();
-  const command = changeRobot(mission, catalogue, activeProgram, robot);
-  if (command !== null) execute(command);
+  const { mission, catalogue, activeProgram } = useStudio.getState();
+  execute(changeRobot(mission, catalogue, activeProgram, robot));
 }
 
 /** What was answered: a program without parts takes the robot that the kit can be most of. */
@@ -41,12 +40,11 @@ export function KitAtHand() {
   const absent = (kit?.absent[robot] ?? []).map(({ category, name }) =>
     text(objects.find((one) => one.category === category && one.name === name)?.label ?? {}, name),
   );
-  const listed = new Intl.ListFormat(languageInUse(), { type: "conjunction" }).format(absent);
   return (
     <div className="robots-kit column" data-testid="kit-at-hand" data-kit={kit?.name ?? ""}>
       <h3>{kit === null ? t("kits.no-board") : text(kit.label, kit.name)}</h3>
       <p className="muted">
-        {kit === null || absent.length === 0 ? t("kits.no-board-help") : t("kits.absent", { parts: listed })}
+        {kit === null || absent.length === 0 ? t("kits.no-board-help") : t("kits.absent", { parts: listed(absent) })}
       </p>
       <span className="row wrap">
         <Button testId="kit-pick" aria-haspopup="dialog" onClick={() => askKit("", takeKit)}>

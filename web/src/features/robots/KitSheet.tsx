@@ -11,7 +11,7 @@ import type { KitFit } from "../../api/generated";
 import { partsApi } from "../../api/parts";
 import { RobotPicture } from "../../components/RobotPicture";
 import { Said } from "../../i18n/Said";
-import { languageInUse, t } from "../../i18n/words";
+import { listed, t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import { Icon } from "../../theme";
@@ -33,10 +33,6 @@ interface Card {
 function inOrder(cards: readonly Card[]): Card[] {
   const worth = ({ fit }: Card) => (fit === undefined || fit.problem === "" ? 0 : 1);
   return [...cards].sort((a, b) => worth(a) - worth(b));
-}
-
-function listed(words: readonly string[]): string {
-  return new Intl.ListFormat(languageInUse(), { type: "conjunction" }).format(words);
 }
 
 /** Whether the program runs there, in words and with a sign. */

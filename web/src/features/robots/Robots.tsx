@@ -8,25 +8,23 @@ import "./boards.css";
 
 import { type FormEvent, useEffect, useState } from "react";
 
-import { inPage } from "../../api/line";
+import { inPage } from "../../api/transport";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
-import { addAddress, runOnAll } from "./actions";
-import { BoardCard } from "./BoardCard";
-import { isMine, MOST_ADDRESS, placesOf, useBoards } from "./boards";
-import { EmptyRobots } from "./EmptyRobots";
-import { FindBoard } from "./FindBoard";
-import { FirmwarePart } from "./Firmware";
-import { KitAtHand } from "./KitAtHand";
-import { BoardFileSheet } from "./BoardFileSheet";
-import { KitSheet } from "./KitSheet";
-import { reach } from "./serial";
-import { connect, send } from "./socket";
-import { TeamPart } from "./Team";
 import { stopEverything } from "../../session/features";
-import { showRobots } from "./state";
 import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
+import { addAddress, runOnAll } from "./actions";
+import { BoardCard } from "./BoardCard";
+import { BoardFileSheet } from "./BoardFileSheet";
+import { isMine, MOST_ADDRESS, placesOf, useBoards } from "./boards";
+import { FirmwarePart } from "./Firmware";
+import { KitAtHand } from "./KitAtHand";
+import { KitSheet } from "./KitSheet";
+import { findBoard, reach } from "./serial";
+import { connect, send } from "./socket";
+import { showRobots } from "./state";
+import { TeamPart } from "./Team";
 
 function useLooking(): void {
   const { you } = useBoards();
@@ -183,5 +181,60 @@ export function Robots() {
         {looking ? <p className="robots-note muted">{t("boards.looking")}</p> : <Places />}
       </div>
     </section>
+  );
+}
+
+/** A button with which the reader lets the page use a board of this computer; where it cannot, why, and what can. */
+export function FindBoard() {
+  const you = useBoards((state) => state.you);
+  if (you === "") return null;
+  const now = reach();
+  if (now !== "there") {
+    return (
+      <p className="robots-note muted" data-testid="find-board-not">
+        {t(now === "none" ? "boards.find-none" : "boards.find-unsafe")}
+      </p>
+    );
+  }
+  return (
+    <div className="robots-find row wrap">
+      <Button icon="radio" testId="find-board" onClick={() => void findBoard()}>
+        {t("boards.find")}
+      </Button>
+      <span className="robots-note muted">{t("boards.find-help")}</span>
+    </div>
+  );
+}
+
+type System = "linux" | "windows" | "other";
+
+/** The kind of computer that this page is on. */
+export function systemOf(userAgent: string): System {
+  if (/windows/i.test(userAgent)) return "windows";
+  return /linux|cros|x11/i.test(userAgent) && !/android/i.test(userAgent) ? "linux" : "other";
+}
+
+/** What the panel says where no robot is: how one gets there, and what this kind of computer may want first. */
+export function EmptyRobots() {
+  const system = systemOf(navigator.userAgent);
+  return (
+    <div className="robots-empty" data-testid="robots-empty">
+      <h3>{t("boards.none")}</h3>
+      <ol>
+        <li>{t("boards.none-plug")}</li>
+        <li>{t(inPage() ? "boards.none-choose" : "boards.none-appears")}</li>
+      </ol>
+      <details>
+        <summary>{t("boards.none-trouble")}</summary>
+        {system === "linux" ? (
+          <>
+            <p>{t("boards.none-linux")}</p>
+            <pre dir="ltr">sudo usermod -aG dialout $USER</pre>
+          </>
+        ) : null}
+        {system === "windows" ? <p>{t("boards.none-windows")}</p> : null}
+        <p>{t("boards.none-cable")}</p>
+      </details>
+    </div>
   );
 }

@@ -9,6 +9,7 @@ import { Said } from "../../i18n/Said";
 import { type Key, t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { stopEverything } from "../../session/features";
+import { Select } from "../../ui/Select";
 import { useBoards } from "./boards";
 import { Act, Sending, TroubleBox, WayOut } from "./parts";
 import { keepShown } from "./shown";
@@ -72,21 +73,20 @@ function Member({ name, disabled }: { name: string; disabled: boolean }) {
         <span className="crew-name ellipsis" id={label}>
           {name}
         </span>
-        <select
-          className="field"
-          aria-label={t("crew.body", { name })}
-          data-testid="crew-body"
+        <Select
+          label={t("crew.body", { name })}
+          testId="crew-body"
           disabled={disabled}
           value={chosen}
-          onChange={(event) => chooseBody(name, event.target.value)}
-        >
-          <option value="">{t("crew.simulated")}</option>
-          {placesFor(state, chosen).map((place) => (
-            <option key={place.address} value={place.address}>
-              {place.address.endsWith(place.name) ? place.name : `${place.name} (${place.address})`}
-            </option>
-          ))}
-        </select>
+          options={[
+            ["", t("crew.simulated")],
+            ...placesFor(state, chosen).map(({ address, name: place }): [string, string] => [
+              address,
+              address.endsWith(place) ? place : `${place} (${address})`,
+            ]),
+          ]}
+          keep={(address) => chooseBody(name, address)}
+        />
         <span className="muted small-text">{stateWords(standing)}</span>
       </div>
       {standing?.state === "sending" ? <Sending progress={standing.progress} testId="crew-progress" /> : null}

@@ -1,8 +1,9 @@
 /** The parts of a robot by hand: a button for each step, what is to be seen, its value, and what to look for when nothing happens. */
-import { Icon } from "../../theme";
+import type { Failure } from "../../api/refusal";
 import { Said } from "../../i18n/Said";
 import { languageInUse, t } from "../../i18n/words";
 import { valueWords } from "../../model/words";
+import { Tool } from "../../ui/Tool";
 import { endBench, tryStep } from "./actions";
 import { useBoards } from "./boards";
 import { Act, TroubleBox } from "./parts";
@@ -32,23 +33,20 @@ function Step({
   going: boolean;
   value: number | null;
   slow: boolean;
-  failure: { message: string; help: string } | undefined;
+  failure: Failure | undefined;
 }) {
   const name = nameOf(step);
   const trouble = inWords(step.trouble);
   return (
     <li className="bench-step" data-testid="bench-step" data-going={going} data-failed={failure !== undefined}>
-      <button
-        type="button"
-        className="tool small rigid"
+      <Tool
+        small
+        icon={going ? "square" : "play"}
+        label={t(going ? "boards.try-end" : "boards.try-begin", { part: name })}
+        testId="bench-try"
         aria-pressed={going}
-        aria-label={t(going ? "boards.try-end" : "boards.try-begin", { part: name })}
-        title={t(going ? "boards.try-end" : "boards.try-begin", { part: name })}
-        data-testid="bench-try"
         onClick={() => tryStep(address, going ? null : at)}
-      >
-        <Icon name={going ? "square" : "play"} size={16} />
-      </button>
+      />
       <div className="bench-words">
         <p className="bench-name wrap">
           <strong>{name}</strong>

@@ -1,25 +1,25 @@
 /** What can be done with real robots, each as one function. */
 import { useStudio } from "../../model/studio";
-import { useRun } from "../../session/run";
 import { reveal } from "../../session/actions";
 import { openDock } from "../../session/dock";
+import { useRun } from "../../session/run";
 import {
   forgetAddress,
   forgetRefusal,
   forgetSteps,
-  type SentProgram,
   isMine,
   kitFor,
   networkAddress,
   placesOf,
   programFor,
   rememberAddress,
+  type SentProgram,
   setSentProgram,
   useBoards,
 } from "./boards";
 import { withKit } from "./kits";
+import { agentAt, isAlike, keepShown } from "./shown";
 import { send } from "./socket";
-import { agentAt, keepShown } from "./shown";
 import type { Board } from "./wire";
 
 /** What is open here, for the robot at that address. */
@@ -95,9 +95,7 @@ export function isCurrent(address: string): boolean {
   const [board, was] = [boards[address], all[address]];
   if (board?.phase !== "open" || was === undefined || board.program === "") return false;
   const now = given(address);
-  const [drawn, sent] = [now.mission, was.mission];
-  const same = (["programs", "constructors", "variables"] as const).every((part) => drawn[part] === sent[part]);
-  return same && now.program === board.program && now.path === was.path && now.kit === was.kit;
+  return isAlike(now, was) && now.program === board.program && now.path === was.path && now.kit === was.kit;
 }
 
 /** Runs what is drawn here on that robot: sends it first, unless the robot has it. */

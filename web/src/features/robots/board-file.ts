@@ -9,7 +9,7 @@ import { api } from "../../api/client";
 import type { KitEntry } from "../../api/generated";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { complain, note } from "../../session/document";
+import { note, reportError } from "../../session/document";
 import { download } from "../../ui/download";
 import { kitFor, programFor, useBoards } from "./boards";
 import { askKit, knownKit } from "./kits";
@@ -31,7 +31,7 @@ export function saveBoardFile(): void {
     const name = kitFor(useBoards.getState(), DRIVE);
     const kit = knownKit(name);
     if (kit?.file === ".uf2") useFirmwareQuestion.setState({ kit });
-    else saveFor(name, null).catch(complain);
+    else saveFor(name, null).catch(reportError);
   });
 }
 

@@ -1,10 +1,10 @@
 import { describe, expect, it } from "vitest";
 
-import { applyMessage, type BoardsState, kitFor, networkAddress, placesOf, programFor, readKept } from "./boards";
-import { systemOf } from "./EmptyRobots";
-import { recordingName } from "./recording";
-import { runOf, shownBoards } from "./shown";
 import type { Mission } from "../../model/types";
+import { applyMessage, type BoardsState, kitFor, networkAddress, placesOf, programFor, readKept } from "./boards";
+import { recordingName } from "./recording";
+import { systemOf } from "./Robots";
+import { runOf, shownBoards } from "./shown";
 import { bodyOf, placesFor, withBody } from "./team";
 import type { Board } from "./wire";
 

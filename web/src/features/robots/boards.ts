@@ -2,15 +2,16 @@
  * The real robots as the page knows them: ports, robots that a page of this studio talks with, and what was chosen for each.
  *
  * The server tells; this only keeps. A robot's message is whole each time. Which program is to go to which robot, and the
- * addresses on the network that were typed, are remembered in this browser. Left to others: the socket (`line.ts`), what can
+ * addresses on the network that were typed, are remembered in this browser. Left to others: the socket (`socket.ts`), what can
  * be done (`acts.ts`), the run that the canvas shows (`shown.ts`).
  */
 import { create } from "zustand";
 
+import type { WhyRefused } from "../../api/refusal";
 import { plainDigits, readWhole } from "../../i18n/numbers";
-import type { Mission, Problem } from "../../model/types";
-import type { Board, BoardsMessage, Port, Steps, Team } from "./wire";
+import type { Mission } from "../../model/types";
 import { parseStored, readStored, writeStored } from "../../ui/stored";
+import type { Board, BoardsMessage, Port, Steps, Team } from "./wire";
 
 /** What this page sent or greeted a robot with: later edits do not reach it. */
 export interface SentProgram {
@@ -21,26 +22,20 @@ export interface SentProgram {
   mission: Mission;
 }
 
-export interface Refusal {
-  message: string;
-  help: string;
-  problems: Problem[];
-}
-
 export interface BoardsState {
   /** By what name the server knows this page; "" without a connection. */
   you: string;
   /** By which it shows that ports of this computer are its own; "" without a connection. */
   key: string;
   /** Why there is no connection to the server, or why it does not want one; null when all is well. */
-  barred: Refusal | null;
+  barred: WhyRefused | null;
   /** null until the server has looked. */
   ports: Port[] | null;
   boards: Record<string, Board>;
   /** address → what can be tried of the robot there, while its parts are tried. */
   steps: Record<string, Steps>;
   /** address → what the server last refused about it. */
-  refused: Record<string, Refusal>;
+  refused: Record<string, WhyRefused>;
   given: Record<string, SentProgram>;
   /** address → program that is to go there. */
   chosen: Record<string, string>;
@@ -119,7 +114,7 @@ useBoards.subscribe(({ chosen, kits, typed, bodies }, before) => {
 const set = useBoards.setState;
 
 /** The connection ended: refused before it began, or broken. */
-export function boardsLost(why: Refusal): void {
+export function boardsLost(why: WhyRefused): void {
   set((state) => ({ ...NOBODY, given: {}, barred: state.barred ?? why }));
 }
 

@@ -1,22 +1,21 @@
 /** Real robots: their panel in the place of the arena, sending to them, and STOP. The panel is fetched when it is opened. */
 import type { ReactNode } from "react";
 
-import { t } from "../../i18n/words";
-import { complain } from "../../session/document";
+import { moreWords, t } from "../../i18n/words";
+import { reportError } from "../../session/document";
 import { type Feature, STOP_KEY, stopEverything } from "../../session/features";
 import { keyFor, type PageKey } from "../../session/key-table";
 import type { MenuEntries } from "../../session/menu-table";
 import { Icon } from "../../theme";
 import { later } from "../../ui/later";
-import { menuItem } from "../../ui/menu-model";
-import { runOnRobots, saveFileForBoard } from "./commands";
+import { menuCheck, menuItem } from "../../ui/menu-model";
 import { showRobots, useRobotsPanel } from "./state";
 
 const Robots = later(
   () => import("./Robots").then((chunk) => chunk.Robots),
   (cause) => {
     showRobots(false);
-    complain(cause);
+    reportError(cause);
   },
 );
 
@@ -60,14 +59,7 @@ function useMenu(): MenuEntries {
   const { open, running } = useRobotsPanel();
   return {
     "robots-panel": [
-      {
-        kind: "check",
-        id: "robots-panel",
-        label: t("boards.panel"),
-        keys: keyFor.page(KEYS.robots),
-        checked: open,
-        run: () => showRobots(!open),
-      },
+      menuCheck("robots-panel", t("boards.panel"), open, () => showRobots(!open), keyFor.page(KEYS.robots)),
     ],
     robots: [
       menuItem("robots-run", t("boards.run"), keyFor.page(KEYS.runOnRobot), runOnRobots),
@@ -75,6 +67,20 @@ function useMenu(): MenuEntries {
       menuItem("robots-stop", t("boards.stop-all"), keyFor.page(STOP_KEY), stopEverything, running === 0),
     ],
   };
+}
+
+/** Asks in the panel what the robot is built of, and saves the file for a board's drive. */
+function saveFileForBoard(): void {
+  showRobots();
+  Promise.all([import("./board-file"), moreWords()]).then(([{ saveBoardFile }]) => {
+    saveBoardFile();
+  }, reportError);
+}
+
+/** Sends to every robot that is connected, and runs; where none is, the panel says what to do. */
+function runOnRobots(): void {
+  showRobots();
+  Promise.all([import("./actions"), moreWords()]).then(([{ runOnAll }]) => runOnAll(), reportError);
 }
 
 export const robots: Feature = {

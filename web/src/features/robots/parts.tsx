@@ -1,6 +1,7 @@
 /** What the cards of robots and the lines of a team are made of: buttons, how far a sending is, what went wrong. */
 import { type ReactNode, useId } from "react";
 
+import type { Failure } from "../../api/refusal";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
 import { Icon } from "../../theme";
@@ -47,15 +48,7 @@ export function Sending({
 }
 
 /** What went wrong, in the server's words; with what can be done about it. */
-export function TroubleBox({
-  said,
-  testId,
-  children,
-}: {
-  said: { message: string; help: string };
-  testId: string;
-  children?: ReactNode;
-}) {
+export function TroubleBox({ said, testId, children }: { said: Failure; testId: string; children?: ReactNode }) {
   return (
     <div className="robot-trouble" role="alert" data-testid={testId}>
       <Icon name="triangle-alert" size={16} />

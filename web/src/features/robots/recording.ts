@@ -1,6 +1,6 @@
 /** The recording of a real robot's last run, or of the one that is on: as a file to keep, or played at once. */
 import { traceApi } from "../../api/traces";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { openFromComputer } from "../../session/open-requests";
 import { download } from "../../ui/download";
 import { showRobots } from "./state";
@@ -18,7 +18,7 @@ export async function saveRecording(board: Board): Promise<void> {
   try {
     download(recordingName(board), await traceApi.ofRobot(board.address), "application/octet-stream");
   } catch (cause) {
-    complain(cause);
+    reportError(cause);
   }
 }
 
@@ -29,6 +29,6 @@ export async function playRecording(board: Board): Promise<void> {
     showRobots(false);
     openFromComputer(new File([bytes], recordingName(board)));
   } catch (cause) {
-    complain(cause);
+    reportError(cause);
   }
 }

@@ -1,8 +1,9 @@
 import { describe, expect, it, vi } from "vitest";
 
-import { talk, talkThrough } from "../../api/line";
+import { setTransport, transport } from "../../api/transport";
+import { joinBytes } from "../../model/bytes";
 import { useBoards } from "./boards";
-import { findBoard, joined, Pipe, type Port, reachOf, useSerial } from "./serial";
+import { findBoard, Pipe, type Port, reachOf, useSerial } from "./serial";
 
 describe("whether a page reaches boards", () => {
   it("says what is in the way", () => {
@@ -15,8 +16,8 @@ describe("whether a page reaches boards", () => {
 describe("pieces of a board", () => {
   it("are one message in their order", () => {
     const pieces = [[1], [], [2, 3]].map((piece) => new Uint8Array(piece));
-    expect([...joined(pieces)]).toEqual([1, 2, 3]);
-    expect([...joined([])]).toEqual([]);
+    expect([...joinBytes(pieces)]).toEqual([1, 2, 3]);
+    expect([...joinBytes([])]).toEqual([]);
   });
 });
 
@@ -123,12 +124,12 @@ describe("the pipe of a port", () => {
 });
 
 it("a board that was chosen is let go when the browser freezes the page, and has its place when it is chosen again", async () => {
-  const usual = talk();
+  const usual = transport();
   const [port, sockets] = [new Plug(), [] as Socket[]];
   const asked = vi.fn(() => Promise.resolve(port));
   const found = Object.assign(new EventTarget(), { requestPort: asked });
   Object.defineProperty(navigator, "serial", { configurable: true, value: found });
-  talkThrough({ ...usual, socket: () => (sockets.push(new Socket()), sockets.at(-1)) as unknown as WebSocket });
+  setTransport({ ...usual, socket: () => (sockets.push(new Socket()), sockets.at(-1)) as unknown as WebSocket });
   useBoards.setState({ key: "k" });
   await findBoard();
   sockets[0]?.hear("open");
@@ -144,7 +145,7 @@ it("a board that was chosen is let go when the browser freezes the page, and has
     expect(sockets).toHaveLength(2);
   });
   expect(useSerial.getState().marks).toEqual(marks);
-  talkThrough(usual);
+  setTransport(usual);
   useBoards.setState(useBoards.getInitialState());
   Reflect.deleteProperty(navigator, "serial");
 });

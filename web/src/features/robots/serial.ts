@@ -8,7 +8,8 @@
 import { create } from "zustand";
 
 import { socketAddress } from "../../api/address";
-import { talk } from "../../api/line";
+import { transport } from "../../api/transport";
+import { joinBytes } from "../../model/bytes";
 import { useBoards } from "./boards";
 
 /** What is used of a `SerialPort`; TypeScript does not know Web Serial. */
@@ -43,19 +44,6 @@ export function reachOf(there: boolean, secure: boolean): Reach {
 }
 
 export const reach = (): Reach => reachOf(serial() !== undefined, window.isSecureContext);
-
-/** The pieces as one. */
-export function joined(pieces: readonly Uint8Array<ArrayBuffer>[]): Uint8Array<ArrayBuffer> {
-  const [only] = pieces;
-  if (only !== undefined && pieces.length === 1) return only;
-  const whole = new Uint8Array(pieces.reduce((length, piece) => length + piece.length, 0));
-  let at = 0;
-  for (const piece of pieces) {
-    whole.set(piece, at);
-    at += piece.length;
-  }
-  return whole;
-}
 
 /** One port and its socket; it ends when either does. */
 export class Pipe {
@@ -138,7 +126,7 @@ export class Pipe {
   }
 
   #passOn(): void {
-    const came = joined(this.#came);
+    const came = joinBytes(this.#came);
     this.#came = [];
     for (let at = 0; at < came.length; at += MOST_PIECE) this.#say(came.subarray(at, at + MOST_PIECE));
   }
@@ -192,7 +180,7 @@ function offer(port: Port): void {
   address.searchParams.set("key", key);
   address.searchParams.set("mark", entry.mark);
   address.searchParams.set("vendor", String(port.getInfo().usbVendorId ?? 0));
-  const pipe = new Pipe(port, talk().socket(address), () => {
+  const pipe = new Pipe(port, transport().socket(address), () => {
     if (held.get(port)?.pipe === pipe) held.set(port, { ...entry, pipe: null });
   });
   held.set(port, { ...entry, pipe });

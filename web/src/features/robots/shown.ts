@@ -9,7 +9,7 @@ import { create } from "zustand";
 
 import { useStudio } from "../../model/studio";
 import { isLive, type RunAgent, useRun } from "../../session/run";
-import { type BoardsState, type SentProgram, isMine, useBoards } from "./boards";
+import { type BoardsState, isMine, type SentProgram, useBoards } from "./boards";
 import { setRunning } from "./state";
 import type { Board } from "./wire";
 
@@ -25,7 +25,7 @@ export function isRunning(board: Board): boolean {
 }
 
 /** Whether both were given the same programs. */
-export function isAlike(a: SentProgram, b: SentProgram): boolean {
+export function isAlike(a: Pick<SentProgram, "mission">, b: Pick<SentProgram, "mission">): boolean {
   return (["programs", "constructors", "variables"] as const).every((part) => a.mission[part] === b.mission[part]);
 }
 

@@ -5,7 +5,7 @@
 import { create } from "zustand";
 
 import { socketAddress } from "../../api/address";
-import { talk } from "../../api/line";
+import { transport } from "../../api/transport";
 import { t } from "../../i18n/words";
 import { boardsConnecting, boardsLost, takeMessage } from "./boards";
 import { setStopAll } from "./state";
@@ -29,7 +29,7 @@ function lost(): void {
 /** Opens the socket, if it is not. */
 export function connect(): void {
   if (useConnection.getState().socket !== null) return;
-  const opened = talk().socket(socketAddress("api/boards"));
+  const opened = transport().socket(socketAddress("api/boards"));
   useConnection.setState({ socket: opened });
   boardsConnecting();
   setStopAll(() => send({ type: "stop", address: "" }));

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { isOlder } from "./versions";
+import { isOlder } from "./Firmware";
 
 test("a version is older by its numbers, not by its letters", () => {
   expect(isOlder("1.9", "1.20")).toBe(true);

@@ -6,6 +6,7 @@ import { useRun } from "../../session/run";
 import { useFolding } from "../../ui/folding";
 import { menuItem } from "../../ui/menu-model";
 import { MenuButton } from "../../ui/MenuButton";
+import { Select } from "../../ui/Select";
 
 export interface Thread {
   slot: number;
@@ -66,18 +67,15 @@ export function RunningRow({ threads, names, chosen }: { threads: Thread[]; name
         </>
       )}
       {names.length < 2 ? null : (
-        <select
+        <Select
           className="watched small-text"
-          data-testid="watched-agent"
-          aria-label={t("tabs.watch")}
+          label={t("tabs.watch")}
+          testId="watched-agent"
           title={chosen}
           value={chosen}
-          onChange={(event) => useRun.getState().selectAgent(event.target.value)}
-        >
-          {names.map((name) => (
-            <option key={name}>{name}</option>
-          ))}
-        </select>
+          options={names}
+          keep={(name) => useRun.getState().selectAgent(name)}
+        />
       )}
     </div>
   );

@@ -10,11 +10,11 @@ import { useRun } from "../../session/run";
 import { chooseSimple } from "../../session/simple-view";
 import { type Hands, handsOn } from "../../testing/hands";
 import { mount, type Mounted, settle } from "../../testing/hooks";
+import { Watching } from ".";
 import { BehindBar } from "./BehindBar";
 import { EventStrip } from "./EventStrip";
 import { RecordingBar } from "./RecordingBar";
 import { RunTools } from "./RunTools";
-import { Watching } from "./Watching";
 
 await moreWords();
 

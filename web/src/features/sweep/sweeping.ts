@@ -7,6 +7,7 @@
 import { create } from "zustand";
 
 import type { SweepMapMessage, SweepProgressMessage, SweepStartRequest, WorkRefusedMessage } from "../../api/generated";
+import type { WhyRefused } from "../../api/refusal";
 import { beginWork, type Work } from "../../api/work";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
@@ -18,8 +19,6 @@ import type { Place } from "./map";
 type Message = SweepProgressMessage | SweepMapMessage | WorkRefusedMessage;
 /** What runs of a sweep are of. */
 type Asked = Omit<SweepStartRequest, "type" | "moments">;
-type Refused = Pick<WorkRefusedMessage, "message" | "help" | "problems">;
-
 export interface Swept {
   asked: Asked;
   map: SweepMapMessage;
@@ -30,7 +29,7 @@ interface SweepState {
   busy: { done: number; total: number } | null;
   swept: Swept | null;
   /** Why there is no map. */
-  refused: Refused | null;
+  refused: WhyRefused | null;
   /** The field that was played last. */
   played: Place | null;
 }

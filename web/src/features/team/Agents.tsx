@@ -3,28 +3,28 @@ import { type KeyboardEvent, useRef } from "react";
 
 import { NameCell } from "../../components/NameCell";
 import { t } from "../../i18n/words";
+import { giveKind } from "../../model/commands/castAgents";
 import {
   addAgent,
   copyAgent,
   giveProgram,
   giveStart,
   moveAgent,
+  placeAgents,
   removeAgent,
   renameAgent,
 } from "../../model/commands/changeAgents";
+import { freeName } from "../../model/free-name";
 import { startOf } from "../../model/starts";
-import { giveKind } from "../../model/commands/castAgents";
-import { placeAgents } from "../../model/commands/placeAgents";
 import { execute, useStudio } from "../../model/studio";
 import { TEAM_ROBOT } from "../../model/team-robot";
 import { text } from "../../model/texts";
-import type { Agent } from "../../model/types";
+import type { Agent, Mission, World } from "../../model/types";
 import type { addStarting } from "../../session/world-edits";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
 import { Select } from "../../ui/Select";
 import { Tool } from "../../ui/Tool";
-import { nameLike, withoutStart } from "./starts";
 
 /** Why a robot cannot have that name, or "". */
 function wrongName(name: string): string {
@@ -234,4 +234,17 @@ export function Agents() {
       </Button>
     </section>
   );
+}
+
+/** The agents whose start the world has not, by their place in the list. */
+function withoutStart(mission: Mission, world: World | null): number[] {
+  if (world === null) return [];
+  const known = new Set(world.starts.map((start) => start.name));
+  return mission.agents.flatMap((agent, at) => (known.has(startOf(agent)) ? [] : [at]));
+}
+
+/** A free name like the given one: `carrier-1` gives `carrier-2`. */
+function nameLike(name: string, taken: readonly string[]): string {
+  const stem = name.replace(/[-\s]?\d+$/, "");
+  return freeName(stem === "" ? "robot" : stem, taken);
 }

@@ -4,7 +4,7 @@ import type { ComponentProps } from "react";
 import { NumberInput } from "../../components/fields/NumberInput";
 import { t } from "../../i18n/words";
 import { setBreakdown, setRadio } from "../../model/commands/changeTrial";
-import { useStudio } from "../../model/studio";
+import { execute, useStudio } from "../../model/studio";
 import type { Breakdown, Radio } from "../../model/types";
 import { Checkbox } from "../../ui/Checkbox";
 import { Row } from "../../ui/Row";
@@ -33,15 +33,11 @@ function thousandths(value: number): number {
 }
 
 function putRadio(radio: Radio | null): void {
-  const { mission, execute } = useStudio.getState();
-  const command = setRadio(mission, radio);
-  if (command !== null) execute(command);
+  execute(setRadio(useStudio.getState().mission, radio));
 }
 
 function putBreakdown(breakdown: Breakdown): void {
-  const { mission, execute } = useStudio.getState();
-  const command = setBreakdown(mission, breakdown);
-  if (command !== null) execute(command);
+  execute(setBreakdown(useStudio.getState().mission, breakdown));
 }
 
 export function Conditions() {

@@ -2,10 +2,10 @@
 import { NumberInput } from "../../components/fields/NumberInput";
 import { t } from "../../i18n/words";
 import { setFailures } from "../../model/commands/changeTrial";
-import { useStudio } from "../../model/studio";
+import { execute, useStudio } from "../../model/studio";
 import type { ScheduledFailure } from "../../model/types";
+import { isLive, setFailRate, useRun } from "../../session/run";
 import { Select } from "../../ui/Select";
-import { Chance } from "./Chance";
 import { RemoveTool, RowList, type RowProps } from "./RowList";
 
 const KINDS = ["fail", "stall", "mute", "apart", "revive"] as const;
@@ -15,9 +15,7 @@ const LATER_S = 10;
 const NONE: readonly ScheduledFailure[] = [];
 
 function put(failures: readonly ScheduledFailure[]): void {
-  const { mission, execute } = useStudio.getState();
-  const command = setFailures(mission, failures);
-  if (command !== null) execute(command);
+  execute(setFailures(useStudio.getState().mission, failures));
 }
 
 function Row({ item: failure, at, removed }: RowProps<ScheduledFailure>) {
@@ -103,5 +101,40 @@ export function Failures() {
       />
       <Chance />
     </section>
+  );
+}
+
+/** A probability in percent, without a tail of zeros. */
+function percentOf(rate: number): number {
+  return Math.round(rate * 100_000) / 1000;
+}
+
+/**
+ * How likely robots fail by chance: part of how the next run is tried out, like its seed, and not of the mission.
+ *
+ * While a run is on it shows that run's and stays.
+ */
+export function Chance() {
+  const rate = useRun((run) => run.failRate);
+  const live = useRun((run) => isLive(run.status));
+  return (
+    <div className="team-chance">
+      <label>
+        {t("team.chance")}
+        <NumberInput
+          testId="fail-rate"
+          describedBy="team-chance-help"
+          min={0}
+          max={100}
+          disabled={live}
+          value={percentOf(rate)}
+          keep={(percent) => setFailRate(Math.round(percent * 1000) / 100_000)}
+        />
+        <span aria-hidden="true">%</span>
+      </label>
+      <p className="team-note muted" id="team-chance-help">
+        {t("team.chance-help")}
+      </p>
+    </div>
   );
 }

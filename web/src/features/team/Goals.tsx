@@ -2,18 +2,13 @@
 import { NumberInput } from "../../components/fields/NumberInput";
 import { readWhole } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
-import type { Command } from "../../model/command";
 import { addGoal, ALL, changeGoal, removeGoal } from "../../model/commands/changeGoals";
-import { useStudio } from "../../model/studio";
+import { execute, useStudio } from "../../model/studio";
 import type { Goal } from "../../model/types";
 import { Select } from "../../ui/Select";
 import { RemoveTool, RowList, type RowProps } from "./RowList";
 
 const MOST_BOXES = 65535;
-
-function execute(command: Command | null): void {
-  if (command !== null) useStudio.getState().execute(command);
-}
 
 function change(at: number, goal: Goal): void {
   execute(changeGoal(useStudio.getState().mission, at, goal));

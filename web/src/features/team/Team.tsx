@@ -3,18 +3,23 @@
  *
  * A chunk of its own, fetched when the tab is opened.
  */
+import "./team.css";
+
 import { useEffect, useRef } from "react";
 
-import { t } from "../../i18n/words";
+import { languageInUse, t } from "../../i18n/words";
+import { changeTitle } from "../../model/commands/changeTitle";
+import { execute, useStudio } from "../../model/studio";
+import { startTeam } from "../../session/first-team";
+import { useShown } from "../../session/simple-view";
 import { useTeam } from "../../session/team-view";
-import { About } from "./About";
+import { Button } from "../../ui/Button";
+import { Field } from "../../ui/Field";
 import { Agents } from "./Agents";
 import { Conditions } from "./Conditions";
 import { Failures } from "./Failures";
-import { FirstTeam } from "./FirstTeam";
 import { Goals } from "./Goals";
 import { Worlds } from "./Worlds";
-import "./team.css";
 
 const FIRST = { agent: "agent-start", goal: "goal-house", failure: "failure-agent", world: "" } as const;
 
@@ -41,5 +46,61 @@ export default function Team() {
         <About />
       </div>
     </div>
+  );
+}
+
+/** What a team's program is, and a first one to begin with, where the mission has none. */
+function FirstTeam() {
+  const there = useStudio((studio) => studio.mission.programs.some((one) => one.level === "social"));
+  const shown = useShown("team");
+  if (there || !shown) return null;
+  return (
+    <section className="team-part surface" aria-labelledby="first-team" data-testid="first-team">
+      <h2 id="first-team">{t("first-team.title")}</h2>
+      <p className="team-note muted">{t("first-team.what")}</p>
+      <p className="team-hint row wrap">
+        <Button icon="users" testId="start-team" onClick={() => void startTeam()}>
+          {" "}
+          {t("first-team.start")}
+        </Button>
+        <span>{t("first-team.start-help")}</span>
+      </p>
+    </section>
+  );
+}
+
+/** The mission's title and what happens in it, in the language of the page; English stands in for another one. */
+export function About() {
+  const label = useStudio((studio) => studio.mission.label);
+  const help = useStudio((studio) => studio.mission.help);
+  const spoken = languageInUse();
+  const language = spoken === "en" ? "" : spoken;
+  const change = (what: "label" | "help", words: string) =>
+    execute(changeTitle(useStudio.getState().mission, what, language, words));
+  return (
+    <section className="team-part surface" aria-labelledby="team-about">
+      <h2 id="team-about">{t("team.about")}</h2>
+      <Field label={t("team.title")}>
+        <input
+          className="field"
+          data-testid="team-title"
+          dir="auto"
+          value={label?.[language] ?? ""}
+          placeholder={label?.[""] ?? ""}
+          onChange={(event) => change("label", event.target.value)}
+        />
+      </Field>
+      <Field label={t("team.help")}>
+        <textarea
+          className="field"
+          data-testid="team-help"
+          dir="auto"
+          rows={2}
+          value={help?.[language] ?? ""}
+          placeholder={help?.[""] ?? ""}
+          onChange={(event) => change("help", event.target.value)}
+        />
+      </Field>
+    </section>
   );
 }

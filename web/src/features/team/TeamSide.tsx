@@ -1,17 +1,18 @@
 /** Where the parts are: a switch between them and the team, in missions that have programs of one. */
+import "./side.css";
+
 import type { ReactNode } from "react";
 
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { TEAM_ROBOT } from "../../model/team-robot";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { showSide, type TeamSide as Side, useTeam } from "../../session/team-view";
 import { Icon } from "../../theme";
 import { later } from "../../ui/later";
 import { TabList } from "../../ui/TabList";
-import "./side.css";
 
-const Roster = later(() => import("./roster/Roster").then((chunk) => chunk.default), complain);
+const Roster = later(() => import("./roster/Roster").then((chunk) => chunk.default), reportError);
 
 const SIDES: readonly Side[] = ["team", "parts"];
 

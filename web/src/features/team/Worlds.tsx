@@ -5,37 +5,28 @@ import { partsApi } from "../../api/parts";
 import { decimal } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { changeWorld, sameWorld } from "../../model/commands/changeWorld";
-import { useStudio } from "../../model/studio";
+import { execute, useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import type { WorldEntry } from "../../model/types";
-import { complain } from "../../session/document";
-import { foreseeWorld, useFiles } from "../../session/world-files";
+import { reportError } from "../../session/document";
 import { editWorld } from "../../session/world-edits";
+import { primeWorld, useFiles } from "../../session/world-files";
 import { openWorld } from "../../session/world-view";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
+import { awaitAnswer } from "../../ui/effects";
 import { later } from "../../ui/later";
 
-const WorldPicture = later(() => import("../../components/WorldPicture").then((chunk) => chunk.WorldPicture), complain);
+const WorldPicture = later(
+  () => import("../../components/WorldPicture").then((chunk) => chunk.WorldPicture),
+  reportError,
+);
 
 function useWorlds(): WorldEntry[] {
   const path = useStudio((studio) => studio.file.path);
   const read = useFiles((files) => files.read);
   const [worlds, setWorlds] = useState<WorldEntry[]>([]);
-  useEffect(() => {
-    let there = true;
-    partsApi.worlds(path).then(
-      (found) => {
-        if (there) setWorlds(found);
-      },
-      (cause: unknown) => {
-        if (there) complain(cause);
-      },
-    );
-    return () => {
-      there = false;
-    };
-  }, [path, read]);
+  useEffect(() => awaitAnswer(partsApi.worlds(path), setWorlds, reportError), [path, read]);
   return worlds;
 }
 
@@ -63,9 +54,8 @@ function Card({ entry, chosen }: { entry: WorldEntry; chosen: boolean }) {
           name="team-world"
           checked={chosen}
           onChange={() => {
-            foreseeWorld(href, world);
-            const command = changeWorld(useStudio.getState().mission, href);
-            if (command !== null) useStudio.getState().execute(command);
+            primeWorld(href, world);
+            execute(changeWorld(useStudio.getState().mission, href));
           }}
         />
         <strong>

@@ -9,11 +9,11 @@ import held from "../../model/testing/worlds.json";
 import type { Mission, World } from "../../model/types";
 import { type Hands, handsOn } from "../../testing/hands";
 import { mount, type Mounted } from "../../testing/hooks";
-import { About } from "./About";
 import { Agents } from "./Agents";
 import { Conditions } from "./Conditions";
 import { Failures } from "./Failures";
 import { Goals } from "./Goals";
+import { About } from "./Team";
 
 const MISSION: Mission = {
   ...missionOf(CARRIER, { ...CARRIER, name: "loader" }),

@@ -3,17 +3,17 @@ import { act } from "react";
 import { afterEach, beforeEach, describe, expect, it } from "vitest";
 
 import { moreWords } from "../../i18n/words";
+import { useStudio } from "../../model/studio";
 import { CARRIER, fileOf, missionOf } from "../../model/testing/missions";
 import held from "../../model/testing/worlds.json";
-import { useStudio } from "../../model/studio";
 import type { Mission, World } from "../../model/types";
 import { useRun } from "../../session/run";
 import { furnish } from "../../testing/graph";
 import { type Hands, handsOn } from "../../testing/hands";
 import { mount, type Mounted } from "../../testing/hooks";
-import { testLine, type TestLine } from "../../testing/socket";
+import { type TestLine, testLine } from "../../testing/socket";
 import { Agents } from "./Agents";
-import { Chance } from "./Chance";
+import { Chance } from "./Failures";
 import { Worlds } from "./Worlds";
 
 const RING = held.find(({ drawn }) => drawn.name === "ring")?.drawn as unknown as World;

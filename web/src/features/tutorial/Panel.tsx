@@ -1,4 +1,6 @@
 /** The tutorial that is on, docked above the graph: the step to do now, how far it is, and the ways on. */
+import "./tutorial.css";
+
 import { useEffect, useRef } from "react";
 
 import type { Tutorial } from "../../api/generated";
@@ -15,7 +17,6 @@ import { goToPoint, type Page, selectorOf, told, wordsOf } from "./points";
 import { doneSteps } from "./progress";
 import { goBack, goForward, goTo, leave, showHint, useTutorial } from "./state";
 import { keepWatching } from "./watching";
-import "./tutorial.css";
 
 function usePage(): Page {
   const program = useStudio(programInView);
@@ -55,9 +56,7 @@ function Steps({ tutorial, done, page }: StepProps) {
               aria-label={label}
               aria-current={step === at ? "step" : undefined}
               title={label}
-              onClick={() => {
-                goTo(step);
-              }}
+              onClick={() => goTo(step)}
             >
               {is ? <Icon name="check" size={14} /> : step + 1}
             </button>
@@ -116,9 +115,7 @@ function StepView({ tutorial, done, page }: StepProps) {
                   className="small"
 
                   testId={`tutorial-go-${point.kind}-${point.name}`}
-                  onClick={() => {
-                    goToPoint(point, page);
-                  }}
+                  onClick={() => goToPoint(point, page)}
                 >
                   {t("tutorial.go", { what: wordsOf(point, page) })}
                 </Button>
@@ -164,21 +161,11 @@ function End({ tutorial, done, page }: StepProps) {
       <div className="tutorial-ways rigid">
         <NextLesson testId="tutorial-next-one" takesFocus />
         {whole ? (
-          <Button
-            onClick={() => {
-              beginAnew(tutorial);
-            }}
-            testId="tutorial-again"
-          >
+          <Button onClick={() => beginAnew(tutorial)} testId="tutorial-again">
             {t("tutorial.again")}
           </Button>
         ) : (
-          <Button
-            onClick={() => {
-              goTo(open);
-            }}
-            testId="tutorial-open-step"
-          >
+          <Button onClick={() => goTo(open)} testId="tutorial-open-step">
             {t("tutorial.step", { number: open + 1, name: nameOf(tutorial, open, page) })}
           </Button>
         )}
@@ -234,9 +221,7 @@ export function TutorialPanel() {
             type="button"
             className="tutorial-undone small-text"
             data-testid="tutorial-undone"
-            onClick={() => {
-              goTo(undone);
-            }}
+            onClick={() => goTo(undone)}
           >
             <Icon name="undo-2" size={14} />
             {t("tutorial.open-again", { number: undone + 1 })}

@@ -10,7 +10,7 @@ import { handsOn } from "../../testing/hands";
 import { mount, type Mounted } from "../../testing/hooks";
 import { isWelcomed } from "./progress";
 import { setTutorials, useTutorial } from "./state";
-import { Welcome } from "./Welcome";
+import { Welcome } from "./Tutorials";
 
 await moreWords();
 

@@ -10,9 +10,10 @@ import { api } from "../../api/client";
 import type { Tutorial } from "../../api/generated";
 import { tutorialApi } from "../../api/tutorials";
 import { useStudio } from "../../model/studio";
-import { complain, show, useDocument } from "../../session/document";
+import { reportError, show, useDocument } from "../../session/document";
 import { openMissionOfLesson } from "../../session/open-requests";
 import { loadFromDisk } from "../../session/opening";
+import { endAll, listen } from "../../ui/effects";
 import { begun, openTutorial, type Progress, rememberedProgress } from "./progress";
 import { enter, leave, movedTo, setTutorials, useTutorial } from "./state";
 
@@ -33,7 +34,7 @@ export async function lookForTutorials(): Promise<void> {
     // An older list stays; the failure is shown only without one.
     if (useTutorial.getState().all !== null) return;
     setTutorials([]);
-    complain(cause);
+    reportError(cause);
   }
 }
 
@@ -117,11 +118,5 @@ export function keepTutorials(): () => void {
     else if (state.change.kind === "save") movedTo(state.file.path);
   });
   // Whoever writes one looks at the page after saving its file.
-  const onFocus = () => void lookForTutorials();
-  window.addEventListener("focus", onFocus);
-  return () => {
-    offReady();
-    offStudio();
-    window.removeEventListener("focus", onFocus);
-  };
+  return endAll(offReady, offStudio, listen(window, { focus: () => void lookForTutorials() }));
 }

@@ -5,7 +5,7 @@ import type { Point } from "../../api/generated";
 import { partsOf } from "../../model/parts";
 import { useStudio } from "../../model/studio";
 import { useLayout } from "../../session/layout";
-import { openRoom, useNarrow } from "../../session/narrow";
+import { openRoom, useMobileRoom } from "../../session/narrow";
 import { useReveal } from "../../session/reveal";
 import { goToPoint, type Page, told } from "./points";
 
@@ -46,7 +46,7 @@ it.each([
 ])("a point at %j opens the room %j of a phone", (at, room) => {
   openRoom("code");
   goToPoint(at, page);
-  expect(useNarrow.getState().room).toBe(room);
+  expect(useMobileRoom.getState().room).toBe(room);
 });
 
 it("a part is shown in the palette, also where that was folded away", () => {

@@ -12,6 +12,7 @@ import { useCodeSide } from "../../session/code-side";
 import { useDock } from "../../session/dock";
 import { MEMBERS } from "../../session/members";
 import { isLive, type RunState, type RunStatus, useRun } from "../../session/run";
+import { endAll } from "../../ui/effects";
 import { heardEvent, heardFits, useTutorial } from "./state";
 
 /** A team as the run knows it. */
@@ -127,11 +128,5 @@ export function keepWatching(): () => void {
   const offDock = useDock.subscribe(look);
   const offCode = useCodeSide.subscribe(look);
   again();
-  return () => {
-    offTutorial();
-    offStudio();
-    offRun();
-    offDock();
-    offCode();
-  };
+  return endAll(offTutorial, offStudio, offRun, offDock, offCode);
 }

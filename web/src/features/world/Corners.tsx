@@ -3,15 +3,14 @@ import { type Key, t } from "../../i18n/words";
 import type { Corner } from "../../model/types";
 import { withClosed, withPoints } from "../../model/world/roads";
 import { LARGEST_MM, type Part, tidy } from "../../model/world/thing";
-import { withPart } from "../../model/world/things";
-import { Checkbox } from "../../ui/Checkbox";
 import { useShown } from "../../session/simple-view";
+import { Checkbox } from "../../ui/Checkbox";
 import { Tool } from "../../ui/Tool";
 import { NumberField } from "./NumberField";
 import { type PartProps, set } from "./part-fields";
 
 /** The corners of a floor, a line or a road: each with its place and radius; put in and taken out. */
-export function Corners({ world, thing, part }: PartProps<Part<"line"> | Part<"floor"> | Part<"road">>) {
+export function Corners<P extends Part<"line"> | Part<"floor"> | Part<"road">>({ world, thing, part }: PartProps<P>) {
   const closed = thing.kind === "floor" || ("closed" in part && part.closed);
   const least = closed ? 3 : 2;
   const { points } = part;
@@ -76,16 +75,15 @@ export function Corners({ world, thing, part }: PartProps<Part<"line"> | Part<"f
   );
 }
 
-export function Closed({ world, thing, part }: PartProps<Part<"line"> | Part<"road">>) {
+export function Closed<P extends Part<"line"> | Part<"road">>({ world, thing, part, keep }: PartProps<P>) {
   return (
     <Checkbox
       testId="world-closed"
       checked={part.closed}
       disabled={!part.closed && part.points.length < 3}
       set={(closed) => {
-        const after =
-          thing.kind === "road" ? withClosed(world, thing.at, closed) : withPart(world, thing, { ...part, closed });
-        set(world, thing, after);
+        if (thing.kind === "road") set(world, thing, withClosed(world, thing.at, closed));
+        else keep({ ...part, closed });
       }}
     >
       {t("world.closed")}

@@ -1,30 +1,40 @@
 /** The fields of what lies around its middle: boxes, balls and zones. */
 import { type Key, t } from "../../i18n/words";
 import { LARGEST_MM, type Part, tidy } from "../../model/world/thing";
-import { withPart } from "../../model/world/things";
 import { NumberField } from "./NumberField";
-import { Choice, Numbers, type PartProps, set } from "./part-fields";
+import { Choice, Numbers, type PartProps } from "./part-fields";
 
 const [HEAVIEST_G, ROUGHEST] = [1_000_000, 10];
 const KINDS = ["warm", "loud", "bright"] as const;
 /** What a zone measures less than of a world says nothing of its shape. */
 const LEAST_MM = 1;
 
-function Place({ world, thing, part }: PartProps<Part<"box"> | Part<"ball"> | Part<"zone">>) {
-  return <Numbers world={world} thing={thing} part={part} names={["x_mm", "y_mm"]} least={-LARGEST_MM} />;
-}
+const PLACE = ["x_mm", "y_mm"] as const;
 
-export function ThingFields({ world, thing, part }: PartProps<Part<"box"> | Part<"ball">>) {
-  const keep = (more: Partial<typeof part>, what: string, stepped: boolean) =>
-    set(world, thing, withPart(world, thing, { ...part, ...more }), what, stepped);
+export function BoxFields(props: PartProps<Part<"box">>) {
   return (
     <>
-      <Place world={world} thing={thing} part={part} />
-      {"radius_mm" in part ? (
-        <Numbers world={world} thing={thing} part={part} names={["radius_mm"]} least={5} />
-      ) : (
-        <Numbers world={world} thing={thing} part={part} names={["width_mm", "height_mm"]} least={5} />
-      )}
+      <Numbers {...props} names={PLACE} least={-LARGEST_MM} />
+      <Numbers {...props} names={["width_mm", "height_mm"]} least={5} />
+      <Pushable {...props} />
+    </>
+  );
+}
+
+export function BallFields(props: PartProps<Part<"ball">>) {
+  return (
+    <>
+      <Numbers {...props} names={PLACE} least={-LARGEST_MM} />
+      <Numbers {...props} names={["radius_mm"]} least={5} />
+      <Pushable {...props} />
+    </>
+  );
+}
+
+/** What is pushed is heavy, and rubs. */
+function Pushable<P extends Part<"box"> | Part<"ball">>({ part, keep }: PartProps<P>) {
+  return (
+    <>
       <div className="world-fields">
         <NumberField
           label={t("world.mass")}
@@ -33,7 +43,7 @@ export function ThingFields({ world, thing, part }: PartProps<Part<"box"> | Part
           min={1}
           max={HEAVIEST_G}
           testId="world-mass"
-          keep={(mass_g, stepped) => keep({ mass_g: tidy(mass_g) }, "mass", stepped)}
+          keep={(mass_g, stepped) => keep({ ...part, mass_g: tidy(mass_g) }, "mass", stepped)}
         />
         <NumberField
           label={t("world.friction")}
@@ -43,7 +53,7 @@ export function ThingFields({ world, thing, part }: PartProps<Part<"box"> | Part
           max={ROUGHEST}
           step={0.01}
           testId="world-friction"
-          keep={(friction, stepped) => keep({ friction: tidy(friction) }, "friction", stepped)}
+          keep={(friction, stepped) => keep({ ...part, friction: tidy(friction) }, "friction", stepped)}
         />
       </div>
     </>
@@ -60,9 +70,8 @@ function shaped(zone: Part<"zone">, shape: string): Part<"zone"> {
   return { ...zone, radius_mm: 0, width_mm: zone.width_mm || side, height_mm: zone.height_mm || side };
 }
 
-export function ZoneFields({ world, thing, part }: PartProps<Part<"zone">>) {
-  const keep = (after: Part<"zone">, what = "", stepped = false) =>
-    set(world, thing, withPart(world, thing, after), what, stepped);
+export function ZoneFields(props: PartProps<Part<"zone">>) {
+  const { part, keep } = props;
   const round = part.radius_mm > 0;
   return (
     <>
@@ -95,15 +104,9 @@ export function ZoneFields({ world, thing, part }: PartProps<Part<"zone">>) {
           keep={(shape) => keep(shaped(part, shape))}
         />
       </div>
-      <Place world={world} thing={thing} part={part} />
-      <Numbers
-        world={world}
-        thing={thing}
-        part={part}
-        names={round ? ["radius_mm"] : ["width_mm", "height_mm"]}
-        least={LEAST_MM}
-      />
-      <Numbers world={world} thing={thing} part={part} names={["falloff_mm"]} />
+      <Numbers {...props} names={PLACE} least={-LARGEST_MM} />
+      <Numbers {...props} names={round ? ["radius_mm"] : ["width_mm", "height_mm"]} least={LEAST_MM} />
+      <Numbers {...props} names={["falloff_mm"]} />
     </>
   );
 }

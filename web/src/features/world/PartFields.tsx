@@ -9,33 +9,33 @@ import { withSections } from "../../model/world/roads";
 import { type Kind, LARGEST_MM, type Part, partOf, type Thing, tidy } from "../../model/world/thing";
 import { withPart } from "../../model/world/things";
 import { Closed, Corners } from "./Corners";
+import { BallFields, BoxFields, ZoneFields } from "./MiddledFields";
 import { NumberField } from "./NumberField";
-import { ThingFields, ZoneFields } from "./MiddledFields";
 import { Choice, Colour, Count, Numbers, type PartProps, set } from "./part-fields";
 
 function names(list: readonly { name: string }[]): [string, string][] {
   return list.map(({ name }) => [name, name]);
 }
 
-function DockFields({ world, thing, part }: PartProps<Part<"dock">>) {
-  const keep = (more: Partial<Part<"dock">>) => set(world, thing, withPart(world, thing, { ...part, ...more }));
+function DockFields(props: PartProps<Part<"dock">>) {
+  const { world, part, keep } = props;
   return (
     <>
-      <Numbers world={world} thing={thing} part={part} names={["at_mm", "reach_mm"]} />
+      <Numbers {...props} names={["at_mm", "reach_mm"]} />
       <div className="world-fields">
         <Choice
           label={t("world.kind-road")}
           testId="world-road"
           value={part.road}
           options={names(world.roads)}
-          keep={(road) => keep({ road })}
+          keep={(road) => keep({ ...part, road })}
         />
         <Choice
           label={t("world.kind-storehouse")}
           testId="world-storehouse"
           value={part.storehouse}
           options={names(world.storehouses)}
-          keep={(storehouse) => keep({ storehouse })}
+          keep={(storehouse) => keep({ ...part, storehouse })}
         />
         <Choice
           label={t("world.does")}
@@ -45,7 +45,7 @@ function DockFields({ world, thing, part }: PartProps<Part<"dock">>) {
             ["load", t("world.load")],
             ["unload", t("world.unload")],
           ]}
-          keep={(kind) => keep({ kind: kind === "load" ? "load" : "unload" })}
+          keep={(kind) => keep({ ...part, kind: kind === "load" ? "load" : "unload" })}
         />
         <Choice
           label={t("world.side")}
@@ -55,7 +55,7 @@ function DockFields({ world, thing, part }: PartProps<Part<"dock">>) {
             ["left", t("world.left")],
             ["right", t("world.right")],
           ]}
-          keep={(side) => keep({ side: side === "right" ? "right" : "left" })}
+          keep={(side) => keep({ ...part, side: side === "right" ? "right" : "left" })}
         />
       </div>
     </>
@@ -78,9 +78,8 @@ function startAt(world: OwnWorld, part: Part<"start">, at: Part<"start">["at"]):
   return { ...bare, road: road?.name ?? "", at_mm: along };
 }
 
-function StartFields({ world, thing, part }: PartProps<Part<"start">>) {
-  const keep = (more: Part<"start">, what = "", stepped = false) =>
-    set(world, thing, withPart(world, thing, more), what, stepped);
+function StartFields(props: PartProps<Part<"start">>) {
+  const { world, part, keep } = props;
   const places: [string, string, boolean][] = [
     ["pose", t("world.on-floor"), true],
     ["road", t("world.kind-road"), world.roads.length > 0],
@@ -119,44 +118,43 @@ function StartFields({ world, thing, part }: PartProps<Part<"start">>) {
           />
         )}
       </div>
-      {part.at === "pose" ? (
-        <Numbers world={world} thing={thing} part={part} names={["x_mm", "y_mm"]} least={-LARGEST_MM} />
-      ) : null}
-      {part.at === "road" ? <Numbers world={world} thing={thing} part={part} names={["at_mm"]} /> : null}
+      {part.at === "pose" ? <Numbers {...props} names={["x_mm", "y_mm"]} least={-LARGEST_MM} /> : null}
+      {part.at === "road" ? <Numbers {...props} names={["at_mm"]} /> : null}
     </>
   );
 }
 
-function RoadFields({ world, thing, part }: PartProps<Part<"road">>) {
+function RoadFields(props: PartProps<Part<"road">>) {
+  const { world, thing, part } = props;
   return (
     <>
-      <Numbers world={world} thing={thing} part={part} names={["width_mm"]} least={1} />
-      <Closed world={world} thing={thing} part={part} />
+      <Numbers {...props} names={["width_mm"]} least={1} />
+      <Closed {...props} />
       <Count
         label={t("world.sections")}
         value={part.sections.length}
         name="sections"
         keep={(count) => set(world, thing, withSections(world, thing.at, Math.min(count, 200)))}
       />
-      <Corners world={world} thing={thing} part={part} />
+      <Corners {...props} />
     </>
   );
 }
 
-function HouseFields({ world, thing, part }: PartProps<Part<"storehouse">>) {
-  const keep = (more: Partial<Part<"storehouse">>) => set(world, thing, withPart(world, thing, { ...part, ...more }));
+function HouseFields(props: PartProps<Part<"storehouse">>) {
+  const { part, keep } = props;
   return (
     <>
-      <Numbers world={world} thing={thing} part={part} names={["x_mm", "y_mm"]} least={-LARGEST_MM} />
-      <Numbers world={world} thing={thing} part={part} names={["width_mm", "height_mm"]} least={1} />
+      <Numbers {...props} names={["x_mm", "y_mm"]} least={-LARGEST_MM} />
+      <Numbers {...props} names={["width_mm", "height_mm"]} least={1} />
       <div className="world-fields">
         <Count
           label={t("world.capacity")}
           value={part.capacity}
           name="capacity"
-          keep={(capacity) => keep({ capacity })}
+          keep={(capacity) => keep({ ...part, capacity })}
         />
-        <Count label={t("world.stock")} value={part.stock} name="stock" keep={(stock) => keep({ stock })} />
+        <Count label={t("world.stock")} value={part.stock} name="stock" keep={(stock) => keep({ ...part, stock })} />
       </div>
     </>
   );
@@ -182,13 +180,16 @@ const FIELDS: { readonly [K in Kind]: ComponentType<PartProps<Part<K>>> } = {
   storehouse: HouseFields,
   dock: DockFields,
   start: StartFields,
-  box: ThingFields,
-  ball: ThingFields,
+  box: BoxFields,
+  ball: BallFields,
   zone: ZoneFields,
 };
 
 export function PartFields({ world, thing }: { world: OwnWorld; thing: Thing }) {
   const part = partOf(world, thing);
   const Fields = FIELDS[thing.kind] as ComponentType<PartProps<Part<Kind>>>;
-  return part === undefined ? null : <Fields world={world} thing={thing} part={part} />;
+  if (part === undefined) return null;
+  const keep = (after: Part<Kind>, what = "", stepped = false) =>
+    set(world, thing, withPart(world, thing, after), what, stepped);
+  return <Fields world={world} thing={thing} part={part} keep={keep} />;
 }

@@ -25,8 +25,8 @@ import { called, change, duplicateChosen, nudge, put, removeChosen } from "../..
 import { choose, chosenIn, putDown, setDraft, useWorld } from "../../session/world-view";
 import { Icon, useTheme } from "../../theme";
 import { watchPinch } from "../../ui/pinch";
-import { Overlay } from "./Overlay";
 import { WORLD_KEYS } from "./keys";
+import { Overlay } from "./Overlay";
 
 const MARGIN_PX = 40;
 const REACH_PX = 8;
@@ -69,22 +69,7 @@ export function Stage() {
     if (box === null || drawn === null) return;
     const made = new Painter(drawn, () => false, setCamera, MARGIN_PX);
     setPainter(made);
-    const watcher = new ResizeObserver(([entry]) => {
-      if (entry !== undefined) made.resize(entry.contentRect.width, entry.contentRect.height);
-    });
-    watcher.observe(box);
-    const onWheel = (event: WheelEvent) => {
-      event.preventDefault();
-      const place = box.getBoundingClientRect();
-      made.zoom(Math.exp(-event.deltaY * 0.0015), event.clientX - place.left, event.clientY - place.top);
-    };
-    box.addEventListener("wheel", onWheel, { passive: false });
-    void document.fonts?.ready.then(() => made.paintSoon());
-    return () => {
-      watcher.disconnect();
-      box.removeEventListener("wheel", onWheel);
-      made.end();
-    };
+    return made.attachTo(box);
   }, []);
   useEffect(() => {
     if (scene !== null) painter?.setScene(scene, "");
@@ -112,14 +97,14 @@ export function Stage() {
 
   const spot = (event: PointerEvent): Spot => {
     const place = frame.current?.getBoundingClientRect();
-    const view = painter?.view;
+    const view = painter?.camera;
     if (place === undefined || view === undefined) return { x: 0, y: 0 };
     const [x, y] = toWorld(view, event.clientX - place.left, event.clientY - place.top);
     return { x, y };
   };
   const snap = (event: PointerEvent, { x, y }: Spot, but: readonly Thing[]): Spot => {
     if (event.altKey || now === null || painter === null) return { x: Math.round(x), y: Math.round(y) };
-    return snapped(x, y, endsOf(now, but), scaleOf(painter.view));
+    return snapped(x, y, endsOf(now, but), scaleOf(painter.camera));
   };
 
   const onPointerDown = (event: PointerEvent<HTMLDivElement>) => {
@@ -143,7 +128,7 @@ export function Stage() {
       drag.current = { what: "grip", thing: held, grip, began: own };
       return;
     }
-    const found = painter === null ? null : thingAt(own, at.x, at.y, scaleOf(painter.view));
+    const found = painter === null ? null : thingAt(own, at.x, at.y, scaleOf(painter.camera));
     if (found === null) {
       drag.current = { what: "pan", x, y, moved: false };
       return;

@@ -7,8 +7,9 @@ import { WorldPicture } from "../../components/WorldPicture";
 import { t } from "../../i18n/words";
 import { text } from "../../model/texts";
 import { drawnWorld } from "../../model/world/drawn";
-import { complain } from "../../session/document";
+import { reportError } from "../../session/document";
 import { beginWith } from "../../session/world-edits";
+import { awaitAnswer } from "../../ui/effects";
 import { Tool } from "../../ui/Tool";
 import { NumberField } from "./NumberField";
 
@@ -17,15 +18,7 @@ const MOST_SEED = 2 ** 32 - 1;
 export function Templates({ done }: { done: () => void }) {
   const [seed, setSeed] = useState(1);
   const [templates, setTemplates] = useState<readonly Template[]>([]);
-  useEffect(() => {
-    let wanted = true;
-    partsApi.templates(seed).then((found) => {
-      if (wanted) setTemplates(found);
-    }, complain);
-    return () => {
-      wanted = false;
-    };
-  }, [seed]);
+  useEffect(() => awaitAnswer(partsApi.templates(seed), setTemplates, reportError), [seed]);
   return (
     <section className="world-templates" aria-labelledby="world-templates" data-testid="world-templates">
       <header className="world-chosen-head row">

@@ -5,7 +5,6 @@ import { type Key, t } from "../../i18n/words";
 import type { OwnWorld } from "../../model/types";
 import { nameOf } from "../../model/world/names";
 import { LARGEST_MM, type Part, type Thing, tidy } from "../../model/world/thing";
-import { withPart } from "../../model/world/things";
 import { useShown } from "../../session/simple-view";
 import { change } from "../../session/world-edits";
 import { Select } from "../../ui/Select";
@@ -18,6 +17,8 @@ export interface PartProps<P> {
   world: OwnWorld;
   thing: Thing;
   part: P;
+  /** The part as it is to be from now on. `stepped`: one of several steps of the field `what` that follow each other. */
+  keep: (after: P, what?: string, stepped?: boolean) => void;
 }
 
 export function set(world: OwnWorld, thing: Thing, after: OwnWorld, what = "", stepped = false): void {
@@ -27,9 +28,8 @@ export function set(world: OwnWorld, thing: Thing, after: OwnWorld, what = "", s
 
 /** Fields that are numbers in mm, by their names in the part. */
 export function Numbers<P extends Part<Thing["kind"]>>({
-  world,
-  thing,
   part,
+  keep,
   names,
   least = 0,
 }: PartProps<P> & { names: readonly (keyof P & string)[]; least?: number }) {
@@ -46,9 +46,7 @@ export function Numbers<P extends Part<Thing["kind"]>>({
           min={least}
           max={LARGEST_MM}
           testId={`world-${name}`}
-          keep={(value, stepped) =>
-            set(world, thing, withPart(world, thing, { ...part, [name]: tidy(value) }), name, stepped)
-          }
+          keep={(value, stepped) => keep({ ...part, [name]: tidy(value) }, name, stepped)}
         />
       ))}
     </div>
@@ -65,14 +63,14 @@ export function Choice(props: ComponentProps<typeof Select>) {
   );
 }
 
-export function Colour({ world, thing, part }: PartProps<Part<"line"> | Part<"floor">>) {
+export function Colour<P extends Part<"line"> | Part<"floor">>({ part, keep }: PartProps<P>) {
   return (
     <Choice
       label={t("world.colour")}
       testId="world-colour"
       value={part.colour}
       options={(["red", "green", "blue"] as const).map((one) => [one, t(`world.${one}` as Key)])}
-      keep={(colour) => set(world, thing, withPart(world, thing, { ...part, colour } as typeof part))}
+      keep={(colour) => keep({ ...part, colour })}
     />
   );
 }

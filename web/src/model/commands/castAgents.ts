@@ -6,7 +6,7 @@
  * changes the order of the agents and, where they do not fit, how many the roles want.
  */
 import { t } from "../../i18n/words";
-import { becomes, type Command } from "../command";
+import { type Command, commandTo } from "../command";
 import { TEAM_ROBOT } from "../team-robot";
 import type { Agent, Mission, Role } from "../types";
 import { rolesOf } from "./changeDeclared";
@@ -90,7 +90,7 @@ export function castAgent(mission: Mission, at: number, to: string): Command | n
       after.agents.filter((one) => one.program === social),
     );
     if (exact || [...wanted].every(([name, role]) => found.get(name) === role)) {
-      if (exact || found.size === wanted.size) return becomes(label, after);
+      if (exact || found.size === wanted.size) return commandTo(label, after);
     }
   }
   return null;
@@ -116,7 +116,7 @@ function inOrder(
 export function giveKind(mission: Mission, at: number, robot: string): Command | null {
   const agent = mission.agents[at];
   if (agent === undefined || robot === TEAM_ROBOT || agent.robot === robot) return null;
-  return becomes(t("command.edit", { name: agent.name }), {
+  return commandTo(t("command.edit", { name: agent.name }), {
     ...mission,
     agents: mission.agents.with(at, { ...agent, robot }),
   });

@@ -4,15 +4,15 @@
  * An agent without a start of its own starts at the place of its name; whoever renames it leaves it where it is.
  */
 import { t } from "../../i18n/words";
-import { becomes, type Command } from "../command";
-import { TEAM_ROBOT } from "../team-robot";
+import { type Command, commandTo, withOptional } from "../command";
 import { startOf } from "../starts";
+import { TEAM_ROBOT } from "../team-robot";
 import type { Agent, Catalogue, Mission } from "../types";
 import { kindOf } from "./castAgents";
 import { declaredNames, groupsOf, rolesOf, withMember } from "./changeDeclared";
 
 function withAgents(label: string, before: Mission, agents: Agent[], trial: Partial<Mission> = {}): Command {
-  return becomes(label, without({ ...before, agents, ...trial }, ["breakpoints", "failures"]));
+  return commandTo(label, withOptional({ ...before, agents }, trial));
 }
 
 function has(mission: Mission, name: string): boolean {
@@ -41,12 +41,6 @@ function trialWith(mission: Mission, name: string, to: string | null): Partial<M
     ...(breakpoints === undefined ? {} : { breakpoints }),
     ...(failures === undefined ? {} : { failures }),
   };
-}
-
-function without(mission: Mission, parts: readonly ("breakpoints" | "failures")[]): Mission {
-  const rest = { ...mission };
-  for (const part of parts) if (rest[part]?.length === 0) delete rest[part];
-  return rest;
 }
 
 /** A new agent at the end; null when the name is taken or empty. */
@@ -134,4 +128,16 @@ export function removeAgent(mission: Mission, at: number): Command | null {
   if (agent === undefined) return null;
   const trial = { ...trialWith(mission, agent.name, null), ...groupsWithout(mission, agent.name) };
   return withAgents(t("command.delete", { name: agent.name }), mission, mission.agents.toSpliced(at, 1), trial);
+}
+
+/** `starts` are those of the world; null when every agent has one, or none is free. */
+export function placeAgents(mission: Mission, starts: readonly string[]): Command | null {
+  const taken = new Set(mission.agents.map(startOf));
+  const free = starts.filter((start) => !taken.has(start));
+  const agents = mission.agents.map((agent) => {
+    const start = starts.includes(startOf(agent)) ? undefined : free.shift();
+    return start === undefined ? agent : { ...agent, start: start === agent.name ? "" : start };
+  });
+  if (agents.every((agent, at) => agent === mission.agents[at])) return null;
+  return commandTo(t("command.place"), { ...mission, agents });
 }

@@ -1,13 +1,8 @@
 /** Breakpoints of a mission. An empty list is left out; everything else stays the same objects. */
 import { t } from "../../i18n/words";
-import { becomes, type Command } from "../command";
+import { type Command, commandTo, withOptional } from "../command";
 import { type Parts, title } from "../parts";
 import type { Breakpoint, Mission, Program } from "../types";
-
-function withBreakpoints(mission: Mission, breakpoints: Breakpoint[]): Mission {
-  const { breakpoints: _, ...rest } = mission;
-  return breakpoints.length === 0 ? rest : { ...rest, breakpoints };
-}
 
 /** The breakpoint of a vertex, or undefined. */
 export function breakpointAt(mission: Mission, program: string, vertex: string): Breakpoint | undefined {
@@ -30,7 +25,10 @@ export function setBreakpoint(parts: Parts, mission: Mission, made: Breakpoint):
   const old = breakpointAt(mission, made.program, made.vertex);
   const others = sound(mission);
   const list = old === undefined ? [...others, made] : others.map((one) => (one === old ? made : one));
-  return becomes(t("command.breakpoint", { name: title(parts.shape(there.element)) }), withBreakpoints(mission, list));
+  return commandTo(
+    t("command.breakpoint", { name: title(parts.shape(there.element)) }),
+    withOptional(mission, { breakpoints: list }),
+  );
 }
 
 /** Without the breakpoint of a vertex; null when it has none. */
@@ -38,7 +36,7 @@ export function removeBreakpoint(mission: Mission, program: string, vertex: stri
   const old = breakpointAt(mission, program, vertex);
   if (old === undefined) return null;
   const list = sound(mission).filter((one) => one !== old);
-  return becomes(t("command.no-breakpoint"), withBreakpoints(mission, list));
+  return commandTo(t("command.no-breakpoint"), withOptional(mission, { breakpoints: list }));
 }
 
 /** The breakpoints after a program was given another name. */

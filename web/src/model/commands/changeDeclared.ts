@@ -5,7 +5,7 @@
  * renamed there too. Work is an object of the team's programs, so its parts follow.
  */
 import { t } from "../../i18n/words";
-import { becomes, type Command } from "../command";
+import { type Command, commandTo } from "../command";
 import { withNamed } from "../team-names";
 import { TEAM_ROBOT } from "../team-robot";
 import type { Catalogue, Mission, Role, TeamGroup, Work } from "../types";
@@ -28,7 +28,7 @@ function isFree(mission: Mission, name: string): boolean {
 export function addRole(mission: Mission, name: string, robot: string): Command | null {
   if (!isFree(mission, name)) return null;
   const made: Role = { name, robot, least: 1, most: 1 };
-  return becomes(t("command.add", { name }), { ...mission, roles: [...rolesOf(mission), made] });
+  return commandTo(t("command.add", { name }), { ...mission, roles: [...rolesOf(mission), made] });
 }
 
 /** Another kind of robot, or other numbers: `most` is never less than `least`, nor less than one. */
@@ -49,18 +49,18 @@ export function changeRole(
     most: what.most === undefined ? Math.max(least, most) : most,
   };
   if (after.robot === role.robot && after.least === role.least && after.most === role.most) return null;
-  return becomes(t("command.edit", { name: role.name }), { ...mission, roles: rolesOf(mission).with(at, after) });
+  return commandTo(t("command.edit", { name: role.name }), { ...mission, roles: rolesOf(mission).with(at, after) });
 }
 
 /** A group of one member to begin with: the text of a team knows no empty one. */
 export function addGroup(mission: Mission, name: string, member: string): Command | null {
   if (!isFree(mission, name) || member === "") return null;
   const made: TeamGroup = { name, members: [member], failure: "drop" };
-  return becomes(t("command.add", { name }), { ...mission, groups: [...groupsOf(mission), made] });
+  return commandTo(t("command.add", { name }), { ...mission, groups: [...groupsOf(mission), made] });
 }
 
 function withGroup(mission: Mission, at: number, after: TeamGroup): Command {
-  return becomes(t("command.edit", { name: after.name }), { ...mission, groups: groupsOf(mission).with(at, after) });
+  return commandTo(t("command.edit", { name: after.name }), { ...mission, groups: groupsOf(mission).with(at, after) });
 }
 
 /** What the group does when a member fails. */
@@ -85,7 +85,7 @@ export function leaveGroup(mission: Mission, at: number, name: string): Command 
 
 export function addWork(mission: Mission, name: string, units: number): Command | null {
   if (!isFree(mission, name)) return null;
-  return becomes(t("command.add", { name }), { ...mission, works: [...worksOf(mission), { name, units }] });
+  return commandTo(t("command.add", { name }), { ...mission, works: [...worksOf(mission), { name, units }] });
 }
 
 /** Other units, or another lease in seconds (null for none). */
@@ -101,7 +101,7 @@ export function changeWork(
   const units = what.units ?? work.units;
   if (units === work.units && lease === (before ?? null)) return null;
   const after: Work = { ...rest, units, ...(lease === null ? {} : { lease }) };
-  return becomes(t("command.edit", { name: work.name }), { ...mission, works: worksOf(mission).with(at, after) });
+  return commandTo(t("command.edit", { name: work.name }), { ...mission, works: worksOf(mission).with(at, after) });
 }
 
 /** The mission without a role, a group or a work; a group that held nothing else goes with it. */
@@ -120,7 +120,7 @@ export function removeDeclared(mission: Mission, name: string): Command | null {
       return [];
     });
   }
-  return becomes(t("command.delete", { name }), {
+  return commandTo(t("command.delete", { name }), {
     ...mission,
     roles: rolesOf(mission).filter((one) => one.name !== name),
     groups,
@@ -161,8 +161,8 @@ export function renameDeclared(mission: Mission, catalogue: Catalogue, name: str
             ),
           },
     );
-    return becomes(label, { ...mission, programs, works: named(worksOf(mission)) });
+    return commandTo(label, { ...mission, programs, works: named(worksOf(mission)) });
   }
   const after = withMember(mission, catalogue, name, to);
-  return becomes(label, { ...after, roles: named(rolesOf(after)), groups: named(groupsOf(after)) });
+  return commandTo(label, { ...after, roles: named(rolesOf(after)), groups: named(groupsOf(after)) });
 }

@@ -1,12 +1,12 @@
 /** Adds, changes and removes goals: what a storehouse holds in the end, as a number of boxes or all of them. */
 import { t } from "../../i18n/words";
-import { becomes, type Command } from "../command";
+import { type Command, commandTo } from "../command";
 import type { Goal, Mission } from "../types";
 
 export const ALL = "all";
 
 function withGoals(label: string, before: Mission, goals: Goal[]): Command {
-  return becomes(label, { ...before, goals });
+  return commandTo(label, { ...before, goals });
 }
 
 /** A new goal at the end: everything in that storehouse. */

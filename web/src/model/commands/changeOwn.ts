@@ -3,7 +3,7 @@
  * follows in every program.
  */
 import { t } from "../../i18n/words";
-import { becomes, type Command } from "../command";
+import { type Command, commandTo, withOptional } from "../command";
 import { ownConstructors, ownVariables } from "../own";
 import type { Constructor, Mission, OwnVariable, Program } from "../types";
 
@@ -13,12 +13,7 @@ export function withOwn(
   constructors: readonly Constructor[],
   variables: readonly OwnVariable[],
 ): Mission {
-  const { constructors: _, variables: __, ...rest } = mission;
-  return {
-    ...rest,
-    ...(constructors.length === 0 ? {} : { constructors: [...constructors] }),
-    ...(variables.length === 0 ? {} : { variables: [...variables] }),
-  };
+  return withOptional(mission, { constructors: [...constructors], variables: [...variables] });
 }
 
 function renamed(program: Program, rename: (element: string) => string): Program {
@@ -55,7 +50,7 @@ export function addConstructor(mission: Mission, made: Constructor): Command | n
   const own = ownConstructors(mission);
   if (own.some((one) => one.name === made.name)) return null;
   const after = withOwn(mission, [...own, made], ownVariables(mission));
-  return becomes(t("command.add", { name: made.name }), after);
+  return commandTo(t("command.add", { name: made.name }), after);
 }
 
 /** Another one in the place of a constructor; null when it is not there or the new name is taken. */
@@ -67,7 +62,7 @@ export function changeConstructor(mission: Mission, name: string, made: Construc
   const after = withOwn(mission, list, ownVariables(mission));
   const rename = (element: string) => (element === name ? made.name : element);
   const programs = mission.programs.map((program) => renamed(program, rename));
-  return becomes(t("command.edit", { name }), { ...after, programs });
+  return commandTo(t("command.edit", { name }), { ...after, programs });
 }
 
 /** Without that constructor; vertices made of it stay, with the shape `unknown`. Null when it is not there. */
@@ -75,7 +70,7 @@ export function removeConstructor(mission: Mission, name: string): Command | nul
   const own = ownConstructors(mission);
   const list = own.filter((one) => one.name !== name);
   if (list.length === own.length) return null;
-  return becomes(t("command.delete", { name }), withOwn(mission, list, ownVariables(mission)));
+  return commandTo(t("command.delete", { name }), withOwn(mission, list, ownVariables(mission)));
 }
 
 /** A text of LLL in which an object has another name. */
@@ -103,7 +98,7 @@ export function addVariable(mission: Mission, made: OwnVariable): Command | null
   const own = ownVariables(mission);
   const { name } = made.variable;
   if (own.some((one) => isSame(one, made.robot, name))) return null;
-  return becomes(t("command.add", { name }), withOwn(mission, ownConstructors(mission), [...own, made]));
+  return commandTo(t("command.add", { name }), withOwn(mission, ownConstructors(mission), [...own, made]));
 }
 
 /** Another one in the place of a variable, under its new name in every program; null when that name is taken. */
@@ -116,7 +111,7 @@ export function changeVariable(mission: Mission, robot: string, name: string, ma
   const after = withOwn(mission, ownConstructors(mission), list);
   const rename = (element: string) => (element.startsWith(`${name}.`) ? to + element.slice(name.length) : element);
   const programs = mission.programs.map((program) => (program.robot === robot ? renamed(program, rename) : program));
-  return becomes(t(to === name ? "command.edit" : "command.rename", { name }), {
+  return commandTo(t(to === name ? "command.edit" : "command.rename", { name }), {
     ...after,
     programs,
     ...breakpointsWith(mission, robot, name, to),
@@ -128,5 +123,5 @@ export function removeVariable(mission: Mission, robot: string, name: string): C
   const own = ownVariables(mission);
   const list = own.filter((one) => !isSame(one, robot, name));
   if (list.length === own.length) return null;
-  return becomes(t("command.delete", { name }), withOwn(mission, ownConstructors(mission), list));
+  return commandTo(t("command.delete", { name }), withOwn(mission, ownConstructors(mission), list));
 }

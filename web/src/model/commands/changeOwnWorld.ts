@@ -5,22 +5,22 @@
  * world, the team's starts and goals.
  */
 import { t } from "../../i18n/words";
-import { becomes, type Command } from "../command";
+import { type Command, commandTo } from "../command";
+import { startOf } from "../starts";
 import type { Mission, OwnWorld } from "../types";
 import { type Kind, partsOfKind, type Thing } from "../world/thing";
 import { removed, withDependents, withPart } from "../world/things";
-import { startOf } from "../starts";
 
 /** The mission takes place in this world, which it brings along from now on. */
 export function bringWorld(mission: Mission, world: OwnWorld): Command {
-  return becomes(t("world.bring"), { ...mission, world: "", own_world: world });
+  return commandTo(t("world.bring"), { ...mission, world: "", own_world: world });
 }
 
 /** Another world in the place of the mission's own; null when it is the same or there is none. */
 export function changeOwnWorld(mission: Mission, label: string, world: OwnWorld, joins?: string): Command | null {
   const before = mission.own_world ?? null;
   if (before === null || JSON.stringify(before) === JSON.stringify(world)) return null;
-  return becomes(label, { ...mission, own_world: world }, joins === undefined ? {} : { joins });
+  return commandTo(label, { ...mission, own_world: world }, joins === undefined ? {} : { joins });
 }
 
 /** Things out of the world, with what cannot be without them. */
@@ -66,5 +66,5 @@ export function renameThing(mission: Mission, { kind, at }: Thing, name: string)
       };
     }
   }
-  return becomes(t("command.rename", { name }), { ...mission, ...team, own_world: after });
+  return commandTo(t("command.rename", { name }), { ...mission, ...team, own_world: after });
 }

@@ -1,6 +1,6 @@
 /** Adds, renames and removes whole programs of the mission. Agents follow a renamed program. */
 import { t } from "../../i18n/words";
-import { becomes, type Command } from "../command";
+import { type Command, commandTo } from "../command";
 import { withNamed } from "../team-names";
 import type { Catalogue, Mission, Program } from "../types";
 import { breakpointsRenamed } from "./changeBreakpoints";
@@ -23,7 +23,7 @@ export function emptyProgram(name: string, robot: string, level: Program["level"
 export function addProgram(mission: Mission, program: Program): Command | null {
   const { name } = program;
   if (name === "" || mission.programs.some((one) => one.name === name)) return null;
-  return becomes(t("command.add", { name }), { ...mission, programs: [...mission.programs, program] });
+  return commandTo(t("command.add", { name }), { ...mission, programs: [...mission.programs, program] });
 }
 
 /**
@@ -35,7 +35,7 @@ export function renameProgram(mission: Mission, name: string, to: string, catalo
   if (!mission.programs.some((one) => one.name === name)) return null;
   const named =
     catalogue === undefined ? mission.programs : withNamed(mission.programs, catalogue, "program", [name, to]);
-  return becomes(t("command.rename", { name }), {
+  return commandTo(t("command.rename", { name }), {
     ...mission,
     programs: named.map((one) => (one.name === name ? { ...one, name: to } : one)),
     agents: mission.agents.map((one) => (one.program === name ? { ...one, program: to } : one)),
@@ -46,9 +46,19 @@ export function renameProgram(mission: Mission, name: string, to: string, catalo
 /** Without that program and its agents, or null when it is the only one. */
 export function removeProgram(mission: Mission, name: string): Command | null {
   if (mission.programs.length <= 1 || !mission.programs.some((one) => one.name === name)) return null;
-  return becomes(t("command.delete", { name }), {
+  return commandTo(t("command.delete", { name }), {
     ...mission,
     programs: mission.programs.filter((one) => one.name !== name),
     agents: mission.agents.filter((one) => one.program !== name),
   });
+}
+
+/** The command, or null when there is no neighbour on that side. */
+export function moveProgram(mission: Mission, name: string, by: 1 | -1): Command | null {
+  const from = mission.programs.findIndex((one) => one.name === name);
+  const moved = mission.programs[from];
+  if (moved === undefined || mission.programs[from + by] === undefined) return null;
+  const programs = mission.programs.filter((one) => one !== moved);
+  programs.splice(from + by, 0, moved);
+  return commandTo(t("command.move", { name }), { ...mission, programs });
 }

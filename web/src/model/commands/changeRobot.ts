@@ -1,6 +1,6 @@
 /** Gives a program another robot; the mission's own variables that it uses come along. */
 import { t } from "../../i18n/words";
-import { becomes, type Command } from "../command";
+import { type Command, commandTo } from "../command";
 import { ownConstructors, ownVariables } from "../own";
 import { robotKinds } from "../robot-kinds";
 import { TEAM_ROBOT } from "../team-robot";
@@ -19,7 +19,7 @@ export function changeRobot(mission: Mission, catalogue: Catalogue, name: string
   const programs = mission.programs.map((one) => (one === program ? { ...one, robot } : one));
   const variables = [...ownVariables(mission), ...variablesFor(wanted, mission, program)];
   const label = robotKinds(catalogue.robots).find((one) => one.name === robot)?.label ?? robot;
-  return becomes(
+  return commandTo(
     t("command.change", { name: label }),
     withOwn({ ...mission, programs }, ownConstructors(mission), variables),
   );

@@ -2,11 +2,10 @@ import { describe, expect, it } from "vitest";
 
 import { CARRIER, missionOf } from "../testing/missions";
 import type { Mission } from "../types";
-import { addAgent, copyAgent, giveStart, moveAgent, removeAgent, renameAgent } from "./changeAgents";
+import { addAgent, copyAgent, giveStart, moveAgent, placeAgents, removeAgent, renameAgent } from "./changeAgents";
 import { addGoal, changeGoal } from "./changeGoals";
 import { changeTitle } from "./changeTitle";
 import { changeWorld } from "./changeWorld";
-import { placeAgents } from "./placeAgents";
 
 const MISSION: Mission = {
   ...missionOf(CARRIER),

@@ -1,6 +1,6 @@
 /** Changes the mission's title, or the sentence about what happens, in one language. */
 import { t } from "../../i18n/words";
-import { becomes, type Command } from "../command";
+import { type Command, commandTo } from "../command";
 import type { Mission, Texts } from "../types";
 
 /** Signs that no file can hold; a line break is a space, as the file says it. */
@@ -24,5 +24,5 @@ export function changeTitle(mission: Mission, what: "label" | "help", language: 
   const { [what]: __, ...rest } = mission;
   const after: Mission = Object.keys(texts).length === 0 ? rest : { ...mission, [what]: texts };
   const label = t(what === "label" ? "command.title" : "command.help");
-  return becomes(label, after, { joins: `${what} ${language}` });
+  return commandTo(label, after, { joins: `${what} ${language}` });
 }

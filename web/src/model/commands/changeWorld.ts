@@ -1,6 +1,6 @@
 /** Lets the mission take place in another world. */
 import { t } from "../../i18n/words";
-import { becomes, type Command } from "../command";
+import { type Command, commandTo } from "../command";
 import type { Mission } from "../types";
 
 /** What a mission calls the empty world when it says it. */
@@ -19,5 +19,5 @@ export function changeWorld(mission: Mission, world: string): Command | null {
   const own = mission.own_world != null;
   if (!own && sameWorld(mission.world, world)) return null;
   const after = { ...mission, world, ...(own ? { own_world: null } : {}) };
-  return becomes(t("command.world"), after);
+  return commandTo(t("command.world"), after);
 }

@@ -3,7 +3,7 @@
  * instructions take the place of its vertices.
  */
 import { t } from "../../i18n/words";
-import { becomes, type Command } from "../command";
+import { type Command, commandTo } from "../command";
 import { blocksOf } from "../fragment";
 import { catalogueOf, ownConstructors, ownVariables } from "../own";
 import { fits, type Parts, partsOf, type Shape } from "../parts";
@@ -23,7 +23,7 @@ export function saveAsPart(
   const { program, vertex } = inPlace;
   const after = added.execute(mission);
   const programs = after.programs.map((one) => (one.name === program.name ? program : one));
-  return becomes(t("own.command-save", { name: made.name }), { ...after, programs }, { selects: [vertex] });
+  return commandTo(t("own.command-save", { name: made.name }), { ...after, programs }, { selects: [vertex] });
 }
 
 /** Whether vertices of the one part are vertices of the other as they are. */
@@ -112,7 +112,7 @@ export function dissolvePart(mission: Mission, files: Catalogue, name: string, d
   });
   const rest = own.filter((one) => one.name !== name);
   const after = { ...withOwn(mission, rest, ownVariables(mission)), programs };
-  return becomes(t("own.command-dissolve", { name }), after);
+  return commandTo(t("own.command-dissolve", { name }), after);
 }
 
 function dissolved(program: Program, parts: Parts, name: string, drawing: Program): Program {

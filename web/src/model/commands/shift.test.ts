@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 
 import { CARRIER, CARRIER_PARTS, missionOf } from "../testing/missions";
 import type { Program } from "../types";
-import { moveProgram } from "./moveProgram";
+import { moveProgram } from "./changePrograms";
 import { shiftParts } from "./shiftParts";
 
 const arcsOf = (program: Program | undefined, ...ids: string[]) =>

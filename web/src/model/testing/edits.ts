@@ -6,6 +6,7 @@ import {
   giveProgram,
   giveStart,
   moveAgent,
+  placeAgents,
   removeAgent,
   renameAgent,
 } from "../commands/changeAgents";
@@ -19,15 +20,13 @@ import {
   removeConstructor,
   removeVariable,
 } from "../commands/changeOwn";
-import { addProgram, emptyProgram, removeProgram, renameProgram } from "../commands/changePrograms";
+import { addProgram, emptyProgram, moveProgram, removeProgram, renameProgram } from "../commands/changePrograms";
 import { changeTitle } from "../commands/changeTitle";
 import { changeWorld } from "../commands/changeWorld";
 import { deleteParts } from "../commands/deleteParts";
 import { insertPart } from "../commands/insertPart";
 import { copyParts, moveParts } from "../commands/moveParts";
-import { moveProgram } from "../commands/moveProgram";
 import { pasteParts } from "../commands/pasteParts";
-import { placeAgents } from "../commands/placeAgents";
 import { setField } from "../commands/setField";
 import { setNote } from "../commands/setNote";
 import { toggleMark } from "../commands/toggleMark";

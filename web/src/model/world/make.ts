@@ -1,4 +1,5 @@
 /** What a tool makes: a thing between the two places where it was drawn, with names and numbers that are free. */
+import { freeName } from "../free-name";
 import type { OwnWorld } from "../types";
 import { nearestRoad } from "./roads";
 import { type Kind, type Part, partsOfKind, type Thing, tidy } from "./thing";
@@ -24,17 +25,13 @@ const SIZE: Record<Kind, [number, number]> = {
 };
 
 /** `stem-1`, `stem-2`, …, or A, B, C for storehouses and docks: the first that is free. */
-function freeName(kind: "road" | "storehouse" | "dock" | "start", world: OwnWorld): string {
+function nameFor(kind: "road" | "storehouse" | "dock" | "start", world: OwnWorld): string {
   const taken = new Set(partsOfKind(world, kind).map((part) => part.name));
   if (kind === "storehouse" || kind === "dock") {
     const letter = [..."ABCDEFGHIJKLMNOPQRSTUVWXYZ"].find((one) => !taken.has(one));
     if (letter !== undefined) return letter;
   }
-  const stem = kind === "start" ? "robot" : kind;
-  for (let number = 1; ; number++) {
-    const name = `${stem}-${String(number)}`;
-    if (!taken.has(name)) return name;
-  }
+  return freeName(kind === "start" ? "robot" : kind, [...taken]);
 }
 
 function box(a: Spot, b: Spot): { x: number; y: number; width: number; height: number } {
@@ -68,11 +65,11 @@ function made(world: OwnWorld, kind: Kind, a: Spot, b: Spot): Part<Kind> | null 
         corner(x, y, radius),
       ];
       const sections = [{ sign: 0, from_mm: 0, to_mm: null }];
-      return { name: freeName("road", world), width_mm: 125, closed: true, points, sections };
+      return { name: nameFor("road", world), width_mm: 125, closed: true, points, sections };
     }
     case "storehouse":
       return {
-        name: freeName("storehouse", world),
+        name: nameFor("storehouse", world),
         x_mm: tidy(x),
         y_mm: tidy(y),
         width_mm: tidy(width),
@@ -89,7 +86,7 @@ function made(world: OwnWorld, kind: Kind, a: Spot, b: Spot): Part<Kind> | null 
       )[0];
       if (near === null || house === undefined) return null;
       return {
-        name: freeName("dock", world),
+        name: nameFor("dock", world),
         road: near.road.name,
         at_mm: Math.round(near.at),
         reach_mm: 30,
@@ -102,7 +99,7 @@ function made(world: OwnWorld, kind: Kind, a: Spot, b: Spot): Part<Kind> | null 
       const near = nearestRoad(world, a.x, a.y);
       const there = near !== null && near.off <= near.road.width_mm / 2;
       return {
-        name: freeName("start", world),
+        name: nameFor("start", world),
         at: there ? "road" : "pose",
         road: there ? near.road.name : "",
         at_mm: there ? Math.round(near.at) : 0,

@@ -11,20 +11,20 @@ import TriangleAlert from "lucide-react/icons/triangle-alert";
 import { useEffect, useRef, useState } from "react";
 import { create } from "zustand";
 
+import type { RunEvent } from "../../../api/wire";
 import { NextLesson } from "../../../components/NextLesson";
-import { PanelSlot } from "../../../components/Slot";
 import type { Painter } from "../../../components/scene/painter";
+import { PanelSlot } from "../../../components/Slot";
 import { clock } from "../../../i18n/numbers";
 import { Said } from "../../../i18n/Said";
 import { t } from "../../../i18n/words";
 import { useStudio } from "../../../model/studio";
 import { nextOfOpen, openLesson, useLessons } from "../../../session/lessons";
-import { can, isEnded, useRun } from "../../../session/run";
+import { can, isEnded, type RunState, useRun } from "../../../session/run";
 import { Icon } from "../../../theme";
-import { accountOf, type Facts, type Tone } from "./account";
-import { causeOf } from "./cause";
-import { hasDrawn, saveDrawing } from "./save-drawing";
 import { Button } from "../../../ui/Button";
+import { accountOf, type Facts, type Tone } from "./account";
+import { hasDrawn, saveDrawing } from "./save-drawing";
 
 /** What is known of the run that ended last, and its name. */
 const useFacts = create<{ facts: Facts | null; run: string }>(() => ({ facts: null, run: "" }));
@@ -144,4 +144,22 @@ export function Ending({ painter }: { painter: Painter }) {
       </button>
     </section>
   );
+}
+
+/** What a run that did not end well came from: the last thing before its end that went wrong. */
+const WRONG: readonly RunEvent["kind"][] = ["failure", "collision"];
+
+interface Cause {
+  tick: number;
+  agent: string;
+  text: string;
+}
+
+/**
+ * The last failure or collision; else the last that anybody did before the end. Null where nothing happened: then nothing
+ * is known but the end itself.
+ */
+export function causeOf({ events, tick }: Pick<RunState, "events" | "tick">): Cause | null {
+  const before = events.filter((event) => event.tick <= tick && event.kind !== "end");
+  return before.findLast(({ kind }) => WRONG.includes(kind)) ?? before.at(-1) ?? null;
 }

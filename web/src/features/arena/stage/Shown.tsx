@@ -8,6 +8,7 @@ import { recordFrames, watchFrames } from "../../../session/poses";
 import { isEnded, useRun } from "../../../session/run";
 import { useShown } from "../../../session/simple-view";
 import { useStage } from "../../../session/stage";
+import { endAll } from "../../../ui/effects";
 import { setFacts } from "./Ending";
 import { useGamepad } from "./gamepad";
 import { StageLayers } from "./layers";
@@ -43,8 +44,7 @@ export function Shown({ scene, selected, painter }: ShownProps) {
       if (isEnded(now.status)) setFacts(layers.facts(now), now.name);
     };
     account();
-    const ends = [useRun.subscribe(account), watchFrames(account), useOpenExercise.subscribe(account)];
-    return () => ends.forEach((end) => end());
+    return endAll(useRun.subscribe(account), watchFrames(account), useOpenExercise.subscribe(account));
   }, [layers]);
   useSound(on.sound);
   useStatesSaid(scene);

@@ -1,5 +1,6 @@
 /** Paper that falls when a run reaches its goal: 20 pieces of 8 px in 900 ms, which lie until the next run. */
 import type { Brush } from "../../../components/scene/draw-world";
+import { fillWith, strokeWith } from "../../../components/scene/ink";
 import { DRIVING, LIDS } from "../../../components/scene/lids";
 import type { RunState } from "../../../session/run";
 
@@ -51,11 +52,8 @@ export class Confetti {
       pen.beginPath();
       if (piece % 3 === 0) pen.arc(0, 0, PIECE_PX / 2, 0, Math.PI * 2);
       else pen.rect(-PIECE_PX / 2, -PIECE_PX / 3, PIECE_PX, (PIECE_PX * 2) / 3);
-      pen.fillStyle = LIDS[piece % DRIVING]?.fill ?? colours.box;
-      pen.fill();
-      pen.strokeStyle = colours.robotLine;
-      pen.lineWidth = 1;
-      pen.stroke();
+      fillWith(pen, LIDS[piece % DRIVING]?.fill ?? colours.box);
+      strokeWith(pen, colours.robotLine, 1);
       pen.restore();
     }
     return time < 1;

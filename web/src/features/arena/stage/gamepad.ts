@@ -4,6 +4,7 @@ import { useEffect } from "react";
 import { press, release } from "../../../components/scene/hands";
 import type { Actor } from "../../../components/scene/scene";
 import { can, isLive, useRun } from "../../../session/run";
+import { listen } from "../../../ui/effects";
 
 type Pad = Pick<Gamepad, "axes" | "buttons">;
 
@@ -60,10 +61,10 @@ export function useGamepad(actor: Actor | undefined): void {
       look();
     };
     // A pad says that it is there when one of its buttons is pressed; until then nothing is looked at.
-    window.addEventListener("gamepadconnected", begin);
+    const endWaiting = listen(window, { gamepadconnected: begin });
     if (navigator.getGamepads().some((one) => one !== null)) begin();
     return () => {
-      window.removeEventListener("gamepadconnected", begin);
+      endWaiting();
       cancelAnimationFrame(request);
       before.down.forEach((held, at) => {
         const sensor = actor.keys[at]?.sensor;

@@ -6,16 +6,18 @@ import type { PoseFrame } from "../../../api/wire";
 import { type Box, toScreen } from "../../../components/scene/camera";
 import { type Brush, robotUnit, write } from "../../../components/scene/draw-world";
 import { ROBOT_MM } from "../../../components/scene/geometry";
+import { fillWith, strokeWith } from "../../../components/scene/ink";
 import { LIDS } from "../../../components/scene/lids";
 import type { Layers } from "../../../components/scene/painter";
-import type { Scene, Seen } from "../../../components/scene/scene";
 import { PEN_COLOURS, type PenStroke, strokesOfRun } from "../../../components/scene/pen-strokes";
+import type { Scene, Seen } from "../../../components/scene/scene";
 import type { Area } from "../../../components/scene/tag-place";
 import { decimal } from "../../../i18n/numbers";
 import { useStudio } from "../../../model/studio";
 import { openLesson, useLessons } from "../../../session/lessons";
 import { isLive, type RunState, useRun } from "../../../session/run";
 import { fontOf, token, useTheme } from "../../../theme";
+import { endAll } from "../../../ui/effects";
 import type { Facts } from "./account";
 import { awaitedAt } from "./awaited";
 import { Confetti, reachedGoal } from "./confetti";
@@ -128,10 +130,7 @@ export class StageLayers implements Layers {
       const [lesson, was] = [openLesson(now), openLesson(before)];
       if (lesson?.done === true && was?.name === lesson.name && !was.done) this.confetti.begin();
     });
-    return () => {
-      offRun();
-      offLessons();
-    };
+    return endAll(offRun, offLessons);
   }
 
   private stands(seen: Seen, count: number): boolean {
@@ -199,11 +198,8 @@ export class StageLayers implements Layers {
       const [x, y] = toScreen(camera, one.pose.x_mm, one.pose.y_mm);
       pen.beginPath();
       pen.arc(x, y, 3.6 * unit, 0, Math.PI * 2);
-      pen.fillStyle = PEN_COLOURS[colour] ?? colours.ink;
-      pen.fill();
-      pen.strokeStyle = colours.robotLine;
-      pen.lineWidth = Math.max(1.5 * unit, 1);
-      pen.stroke();
+      fillWith(pen, PEN_COLOURS[colour] ?? colours.ink);
+      strokeWith(pen, colours.robotLine, Math.max(1.5 * unit, 1));
     });
   }
 
@@ -234,9 +230,7 @@ export class StageLayers implements Layers {
       for (const [x, y] of way) pen.lineTo(...toScreen(camera, x, y));
       pen.setLineDash([1, 6]);
       pen.lineCap = "round";
-      pen.lineWidth = 3;
-      pen.strokeStyle = lineColour(one.actor.lid);
-      pen.stroke();
+      strokeWith(pen, lineColour(one.actor.lid), 3);
       pen.setLineDash([]);
       const [tip, from] = [way.at(-1), way.at(-2)];
       if (tip === undefined || from === undefined) return;
@@ -283,8 +277,7 @@ export class StageLayers implements Layers {
       pen.stroke();
       pen.beginPath();
       pen.arc(...to, 3.5, 0, Math.PI * 2);
-      pen.fillStyle = line;
-      pen.fill();
+      fillWith(pen, line);
     }
   }
 
@@ -308,11 +301,8 @@ export class StageLayers implements Layers {
     if (lineAreas(camera, lines, { left, top, width, height: 24 }).length > 0) return;
     pen.beginPath();
     pen.roundRect(left, top, width, 24, 5);
-    pen.fillStyle = tint;
-    pen.fill();
-    pen.strokeStyle = line;
-    pen.lineWidth = 1;
-    pen.stroke();
+    fillWith(pen, tint);
+    strokeWith(pen, line, 1);
     pen.textAlign = "center";
     pen.textBaseline = "middle";
     write(brush, words, left + width / 2, top + 12.5, 13, 600, word);

@@ -3,7 +3,7 @@ import { create } from "zustand";
 
 import { t } from "../../../i18n/words";
 import { FloatingMenu } from "../../../ui/FloatingMenu";
-import { type MenuEntry, menuItem } from "../../../ui/menu-model";
+import { menuCheck, type MenuEntry, menuItem } from "../../../ui/menu-model";
 import { hasDrawn, saveDrawing } from "./save-drawing";
 import { flip, SHOWS, useOn } from "./switches";
 
@@ -22,13 +22,7 @@ export function ShownMenu() {
   const { at, keep } = useMenuPlace();
   const on = useOn();
   if (at === null) return null;
-  const shows = SHOWS.map(({ id, label }): MenuEntry => ({
-    kind: "check",
-    id: `show-${id}`,
-    label: t(label),
-    checked: on[id],
-    run: () => flip(id),
-  }));
+  const shows = SHOWS.map(({ id, label }) => menuCheck(`show-${id}`, t(label), on[id], () => flip(id)));
   const none = !hasDrawn();
   const ways: MenuEntry[] = [
     menuItem("drawing", t("arena.keep-drawing"), null, () => saveDrawing(false), none),

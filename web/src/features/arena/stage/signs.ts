@@ -8,6 +8,7 @@ import { isCrowd } from "../../../components/scene/crowd-size";
 import { keeperPlace, ringOf, scoreAt } from "../../../components/scene/draw-robots";
 import { type Brush, robotUnit, write } from "../../../components/scene/draw-world";
 import { drawGlow } from "../../../components/scene/figures";
+import { fillWith, strokeWith } from "../../../components/scene/ink";
 import type { PenStroke } from "../../../components/scene/pen-strokes";
 import type { Scene, Seen } from "../../../components/scene/scene";
 import { type Area, placeTag } from "../../../components/scene/tag-place";
@@ -45,9 +46,7 @@ function drawBump({ pen, colours, unit: u }: Brush): void {
     pen.moveTo(20 * u + reach * Math.cos(0.7) * u, -reach * Math.sin(0.7) * u);
     pen.arc(20 * u, 0, reach * u, -0.7, 0.7);
   }
-  pen.strokeStyle = colours.ink;
-  pen.lineWidth = 1.75 * u;
-  pen.stroke();
+  strokeWith(pen, colours.ink, 1.75 * u);
   pen.lineCap = "butt";
 }
 
@@ -61,11 +60,8 @@ function drawBadges({ pen, colours }: Brush, unit: number, { failed, stalled, mu
     pen.scale(r, r);
     pen.beginPath();
     pen.arc(0, 0, 1, 0, Math.PI * 2);
-    pen.fillStyle = colours.panel;
-    pen.fill();
-    pen.strokeStyle = colours.ink;
-    pen.lineWidth = 0.15;
-    pen.stroke();
+    fillWith(pen, colours.panel);
+    strokeWith(pen, colours.ink, 0.15);
     pen.lineWidth = 0.2;
     pen.lineCap = "round";
     pen.stroke(new Path2D(sign));
@@ -185,13 +181,10 @@ export function drawTag(
   pen.moveTo(x + right * away * 0.72, y + below * away * 0.72);
   pen.lineTo(x + right * (away * 0.72 + 10), middle);
   pen.lineTo(right > 0 ? area.left : area.left + area.width, middle);
-  pen.strokeStyle = colours.ink;
-  pen.lineWidth = 1.5;
-  pen.stroke();
+  strokeWith(pen, colours.ink, 1.5);
   pen.beginPath();
   pen.roundRect(area.left, area.top, area.width, area.height, 6);
-  pen.fillStyle = colours.ink;
-  pen.fill();
+  fillWith(pen, colours.ink);
   pen.textAlign = "center";
   pen.textBaseline = "middle";
   write(brush, words, area.left + area.width / 2, middle + 0.5, 13, 600, colours.onInk);

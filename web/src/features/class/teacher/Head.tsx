@@ -1,16 +1,13 @@
 /** The head of the teacher's page: its menus, and what is done with all pupils, or with those that the filter shows. */
-import { classApi } from "../../../api/class";
-import { useLanguage } from "../../../i18n/language";
-import { type Language, languageInUse, LANGUAGES, t } from "../../../i18n/words";
-import { Icon, type ThemeChoice, useTheme } from "../../../theme";
+import { classApi, type Gradebook, GRADEBOOKS } from "../../../api/class";
+import { t } from "../../../i18n/words";
+import { Icon, useTheme } from "../../../theme";
 import { download } from "../../../ui/download";
+import { languageEntries, themeEntries } from "../../../ui/look-entries";
 import { type MenuEntry, menuItem } from "../../../ui/menu-model";
 import { MenuButton } from "../../../ui/MenuButton";
-import { MarksTool } from "./MarksTool";
 import type { SheetName } from "./Sheets";
-import { act, freeze, useDesk } from "./store";
-
-const THEMES: readonly ThemeChoice[] = ["light", "dark", "contrast", "system"];
+import { act, freeze, say, useDesk } from "./store";
 
 const MORE_PLACES = 50;
 /** As many as a class can be told to take. */
@@ -27,8 +24,7 @@ interface HeadProps {
 function useEntries(open: (sheet: SheetName) => void): { menus: [string, string, MenuEntry[]][] } {
   const { news, seen } = useDesk();
   const anyFrozen = [...seen.values()].some(({ pupil }) => pupil.frozen);
-  const { choice, choose } = useTheme();
-  const { choose: speak } = useLanguage.getState();
+  const choice = useTheme((theme) => theme.choice);
   const coded = news?.code !== "";
   const places = Math.min((news?.places ?? 0) + MORE_PLACES, MOST_PLACES);
   const full = news === null || news.places >= MOST_PLACES;
@@ -45,24 +41,7 @@ function useEntries(open: (sheet: SheetName) => void): { menus: [string, string,
     ),
     menuItem("class-log", t("teacher.log"), null, () => open("log")),
   ];
-  const spoken = Object.keys(LANGUAGES) as Language[];
-  const view: MenuEntry[] = [
-    ...spoken.map((language): MenuEntry => ({
-      kind: "radio",
-      id: `view-${language}`,
-      label: LANGUAGES[language].name,
-      checked: language === languageInUse(),
-      run: () => void speak(language),
-    })),
-    { kind: "line", id: "view-line" },
-    ...THEMES.map((theme): MenuEntry => ({
-      kind: "radio",
-      id: `view-${theme}`,
-      label: t(`view.${theme}`),
-      checked: theme === choice,
-      run: () => choose(theme),
-    })),
-  ];
+  const view: MenuEntry[] = [...languageEntries(), { kind: "line", id: "view-line" }, ...themeEntries(choice)];
   return {
     menus: [
       ["teacher-class", t("teacher.menu-class"), ofClass],
@@ -180,5 +159,30 @@ export function Head({ open, folders, here, away }: HeadProps) {
         </p>
       </div>
     </header>
+  );
+}
+
+async function save(gradebook: Gradebook): Promise<void> {
+  const { name, text, exercises, listed, unlisted } = await classApi.marks(gradebook);
+  if (exercises === 0) {
+    say(t("teacher.marks-none"), t("teacher.marks-none-help"));
+    return;
+  }
+  download(name, text, "text/csv");
+  const missing = unlisted.length === 0 ? "" : t("teacher.marks-unlisted", { names: unlisted.join(", ") });
+  const help = listed || gradebook === "sheet" ? missing : t("teacher.marks-no-list");
+  say(t("teacher.marks-saved", { file: name, count: exercises }), help);
+}
+
+/** The marks of the class as CSV, in the form that a gradebook imports. */
+export function MarksTool() {
+  const entries = GRADEBOOKS.map((one) =>
+    menuItem(`marks-${one}`, t(`teacher.marks-${one}`), null, () => act(save(one))),
+  );
+  return (
+    <MenuButton id="class-marks" label={t("teacher.marks")} className="tool tool-named rigid" entries={entries}>
+      <Icon name="clipboard-check" size={18} />
+      {t("teacher.marks")}
+    </MenuButton>
   );
 }

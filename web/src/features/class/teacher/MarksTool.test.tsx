@@ -7,7 +7,7 @@ import { moreWords } from "../../../i18n/words";
 import { handsOn } from "../../../testing/hands";
 import { mount, type Mounted } from "../../../testing/hooks";
 import * as files from "../../../ui/download";
-import { MarksTool } from "./MarksTool";
+import { MarksTool } from "./Head";
 import { useDesk } from "./store";
 
 await moreWords();

@@ -1,5 +1,5 @@
 /** The sheets of the teacher's page: a mission to hand out, an exercise, a new pupil, the log. */
-import { type FormEvent, type ReactNode, useEffect, useState } from "react";
+import { type FormEvent, type ReactNode, useState } from "react";
 
 import { classApi } from "../../../api/class";
 import { api } from "../../../api/client";
@@ -11,6 +11,7 @@ import { Icon } from "../../../theme";
 import { Button } from "../../../ui/Button";
 import { Field } from "../../../ui/Field";
 import { Sheet } from "../../../ui/Sheet";
+import { useFetched } from "../../../ui/use-fetched";
 import { act, fail, look, say, useDesk } from "./store";
 
 export type SheetName = "send" | "exercise" | "add" | "log";
@@ -22,13 +23,10 @@ interface SheetProps {
 }
 
 function useFound<T>(get: () => Promise<T>): T | null {
-  const [found, setFound] = useState<T | null>(null);
-  useEffect(() => {
-    get().then(setFound, fail);
-    // Once, as the sheet opens.
-    // eslint-disable-next-line react-hooks/exhaustive-deps
-  }, []);
-  return found;
+  return useFetched(get, (cause) => {
+    fail(cause);
+    return null;
+  });
 }
 
 function Send({ onClose, folders }: SheetProps) {

@@ -1,4 +1,6 @@
 /** The page of the teacher: how to come in, how far the exercise is, a card for each pupil, and one looked on. */
+import "./teacher.css";
+
 import { type RefObject, useEffect, useRef, useState } from "react";
 
 import { classApi } from "../../../api/class";
@@ -10,6 +12,7 @@ import { useStudio } from "../../../model/studio";
 import { text } from "../../../model/texts";
 import { Icon } from "../../../theme";
 import { Button } from "../../../ui/Button";
+import { listen } from "../../../ui/effects";
 import { Row } from "../../../ui/Row";
 import { Select } from "../../../ui/Select";
 import { Tool } from "../../../ui/Tool";
@@ -20,7 +23,6 @@ import { Look } from "./Look";
 import { counts, type Filter, FILTERS, met, type Order, ORDERS, shown } from "./order";
 import { type SheetName, SHEETS } from "./Sheets";
 import { act, dismissNotice, fail, filterCards, findPupils, keepDesk, look, pupilsOf, sortBy, useDesk } from "./store";
-import "./teacher.css";
 
 const TICK_MS = 5000;
 
@@ -214,8 +216,7 @@ export function Teacher() {
         find.current?.focus();
       } else if (event.key === "Escape" && useDesk.getState().looked !== "" && !event.defaultPrevented) look("");
     };
-    window.addEventListener("keydown", key);
-    return () => window.removeEventListener("keydown", key);
+    return listen(window, { keydown: key });
   }, []);
 
   const { news, filter, lie, seen, looked } = desk;

@@ -1,7 +1,7 @@
 /** What the teacher's page knows: the class, its pupils as they were told last, whom the teacher looks on. */
 import { create } from "zustand";
 
-import { type ClassSocket, classApi, openClassSocket } from "../../../api/class";
+import { classApi, type ClassSocket, openClassSocket } from "../../../api/class";
 import { ApiError } from "../../../api/client";
 import type {
   ArenaMessage,
@@ -11,6 +11,7 @@ import type {
   Pupil,
   PupilsMessage,
 } from "../../../api/generated";
+import { whyRefused } from "../../../api/refusal";
 import type { Program } from "../../../model/types";
 import { type Filter, type Order, type Seen, sorted } from "./order";
 
@@ -66,8 +67,8 @@ const set = useDesk.setState;
 let socket: ClassSocket<LookMessage> | null = null;
 
 export function fail(cause: unknown): void {
-  const help = cause instanceof ApiError ? cause.help : "";
-  set({ said: { words: cause instanceof Error ? cause.message : String(cause), help } });
+  const { message, help } = whyRefused(cause);
+  say(message, help);
 }
 
 export function say(words: string, help = ""): void {

@@ -2,10 +2,10 @@
 import { create } from "zustand";
 
 import { t } from "../../../i18n/words";
-import { becomes, type Command } from "../../../model/command";
+import { type Command, commandTo } from "../../../model/command";
 import { castAgent, isOfTeam, playing, whyNotCast } from "../../../model/commands/castAgents";
 import { groupsOf, joinGroup, leaveGroup, rolesOf } from "../../../model/commands/changeDeclared";
-import { useStudio } from "../../../model/studio";
+import { execute, useStudio } from "../../../model/studio";
 import type { Mission } from "../../../model/types";
 import { type MenuEntry, menuItem } from "../../../ui/menu-model";
 
@@ -56,7 +56,7 @@ export function putting(mission: Mission, thing: Thing, goal: Goal): Command | n
     if (joined === null || thing.from === undefined) return joined;
     const after = joined.execute(mission);
     const left = leaveGroup(after, at(thing.from), thing.name);
-    return left === null ? joined : becomes(joined.label, left.execute(after));
+    return left === null ? joined : commandTo(joined.label, left.execute(after));
   }
   if (thing.from !== undefined && goal.kind === "spare") return leaveGroup(mission, at(thing.from), thing.name);
   return castAgent(mission, agentAt(mission, thing.name), goal.kind === "role" ? goal.name : "");
@@ -64,13 +64,12 @@ export function putting(mission: Mission, thing: Thing, goal: Goal): Command | n
 
 /** Puts a thing there and says so; says why not where it cannot be. */
 export function put(thing: Thing, goal: Goal): void {
-  const { mission, execute } = useStudio.getState();
+  const { mission } = useStudio.getState();
   const why = whyNot(mission, thing, goal);
-  const command = putting(mission, thing, goal);
-  if (command !== null) execute(command);
+  const isDone = execute(putting(mission, thing, goal));
   const { name } = thing;
   const done = goal.kind === "spare" ? t("roster.free", { name }) : t("roster.moved", { name, place: goal.name });
-  usePut.setState({ said: why !== "" ? why : command === null ? "" : done });
+  usePut.setState({ said: why !== "" ? why : isDone ? done : "" });
 }
 
 /** The menu of a thing: every place that it can be in, those where it is marked. */

@@ -6,6 +6,7 @@ import { NameCell } from "../../../components/NameCell";
 import { Said } from "../../../i18n/Said";
 import { sentence, t } from "../../../i18n/words";
 import { declaredNames, removeDeclared, renameDeclared } from "../../../model/commands/changeDeclared";
+import { firstFree } from "../../../model/free-name";
 import { execute, useStudio } from "../../../model/studio";
 import type { Problem } from "../../../model/types";
 import { Icon } from "../../../theme";
@@ -27,10 +28,10 @@ export const MOST = 65_535;
 export function freeDeclared(name: string): string {
   const { mission } = useStudio.getState();
   const taken = new Set([...declaredNames(mission), ...mission.agents.map((one) => one.name)]);
-  for (let number = 1; ; number++) {
-    const next = number === 1 ? name : `${name}${String(number)}`;
-    if (!taken.has(next)) return next;
-  }
+  return firstFree(
+    (number) => (number === 1 ? name : `${name}${String(number)}`),
+    (one) => taken.has(one),
+  );
 }
 
 function isAbout({ code, message }: Problem, name: string): boolean {
