@@ -88,12 +88,22 @@ def row_files(folder: Path) -> list[Path]:
 
 def row_lines(folder: Path) -> Iterator[bytes]:
     """All whole lines of a study, each once or more; one that is being written is none yet."""
+    for block in row_blocks(folder):
+        yield from block.splitlines(keepends=True)
+
+
+def row_blocks(folder: Path) -> Iterator[bytes]:
+    """The same, many lines at a time."""
     for path in row_files(folder):
         try:
             with path.open("rb") as file:
-                for line in file:
-                    if line.endswith(b"\n"):
-                        yield line
+                begun = b""
+                while piece := file.read(_PIECE):
+                    whole = piece.rfind(b"\n") + 1
+                    if whole:
+                        yield begun + piece[:whole]
+                        begun = b""
+                    begun += piece[whole:]
         except OSError as error:
             message = Sentence("`{path}` cannot be read: {reason}", path.name, Word(error.strerror or error))
             raise ExperimentError(message) from error
@@ -125,8 +135,13 @@ def read_row(line: bytes, plan: Plan, folder: Path) -> dict[str, Any]:
             return row
     except (JSONDecodeError, KeyError):
         pass
+    raise no_row(line, folder)
+
+
+def no_row(line: bytes, folder: Path) -> ExperimentError:
+    """What is said of a line that is no row of its study."""
     shown = line[:60].decode(errors="replace").strip()
-    raise ExperimentError(
+    return ExperimentError(
         Sentence("`{folder}` holds a line that is no row of its study: `{line}`", folder.name, shown),
         Sentence("take that line out of its file; the run is then made again"),
     )

@@ -7,13 +7,15 @@ number do not count, and `Cell.runs` says how many do. The statistics are those 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from array import array
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from kitrobot.experiments.addresses import ExperimentError
+from kitrobot.experiments.row_columns import row_columns
 from kitrobot.experiments.statistics.interval import USUAL_CONFIDENCE, Interval
-from kitrobot.experiments.study_folder import study_rows
 from kitrobot.experiments.study_rows import StudyRows
 from kitrobot.experiments.tables import text_lines
 from kitrobot.experiments.variant import Value
@@ -65,16 +67,15 @@ def summarise(study: StudyRows, confidence: float = USUAL_CONFIDENCE) -> list[Po
     plan = study.plan
     seeds = len(plan.seeds)
     outcomes: dict[int, dict[str, int]] = {}
-    numbers: dict[int, list[list[float]]] = {}
-    for row in study_rows(study.folder, plan):  # As they are: a million objects would take as long as all the rest.
-        at, outcome, measures = row["row"] // seeds, row["outcome"], row.get("measures", {})
-        if at not in outcomes:
-            outcomes[at], numbers[at] = {}, [[] for _ in plan.measured]
-        outcomes[at][outcome] = outcomes[at].get(outcome, 0) + 1
-        for column, name in zip(numbers[at], plan.measured, strict=True):
-            value = measures.get(name)
-            if value is not None:
-                column.append(value)
+    numbers: dict[int, list[array[float]]] = {}
+    for block in row_columns(study.folder, plan, plan.measured):
+        for at, rows in _by_point(block.numbers, seeds):
+            if at not in outcomes:
+                outcomes[at], numbers[at] = {}, [array("d") for _ in plan.measured]
+            for outcome, count in Counter(block.outcomes[row] for row in rows).items():
+                outcomes[at][outcome] = outcomes[at].get(outcome, 0) + count
+            for column, measured in zip(numbers[at], block.measures, strict=True):
+                column.extend([number for row in rows if (number := measured[row]) is not None])
     return [
         PointSummary(
             at,
@@ -84,6 +85,17 @@ def summarise(study: StudyRows, confidence: float = USUAL_CONFIDENCE) -> list[Po
         )
         for at in sorted(outcomes)
     ]
+
+
+def _by_point(numbers: Sequence[int], seeds: int) -> Iterable[tuple[int, Sequence[int]]]:
+    """The places of these rows by their point; those of one point keep their order."""
+    points = [number // seeds for number in numbers]
+    if points and points.count(points[0]) == len(points):
+        return [(points[0], range(len(points)))]
+    places: dict[int, list[int]] = {}
+    for place, point in enumerate(points):
+        places.setdefault(point, []).append(place)
+    return places.items()
 
 
 def _cell(name: str, values: Sequence[float], confidence: float) -> Cell:

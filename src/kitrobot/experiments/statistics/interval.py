@@ -82,7 +82,14 @@ def check_values(values: Iterable[float], least: int) -> list[float]:
     Raises:
         StatisticsError: one is no finite number, or there are too few.
     """
-    found: list[float] = []
+    values = list(values)
+    try:
+        found = list(map(float, values))
+        if all(map(math.isfinite, found)) and len(found) >= least:
+            return found
+    except (TypeError, ValueError, OverflowError):
+        pass  # Said below.
+    found = []
     for place, value in enumerate(values, 1):
         try:
             number = float(value)

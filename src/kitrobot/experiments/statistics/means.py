@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterable, Sequence
+from operator import mul
 from typing import Literal
 
 from kitrobot.experiments.statistics.interval import (
@@ -109,7 +110,8 @@ def _standard_error(values: Sequence[float], mean: float) -> float:
     count = len(values)
     if min(values) == max(values):
         return 0.0
-    return math.sqrt(math.fsum((value - mean) ** 2 for value in values) / (count - 1) / count)
+    spread = [value - mean for value in values]
+    return math.sqrt(math.fsum(map(mul, spread, spread)) / (count - 1) / count)
 
 
 def _bootstrap(values: Sequence[float], mean: float, confidence: float, seed: int) -> tuple[float, float]:
