@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import groupby
+from operator import attrgetter
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -25,6 +27,20 @@ class RowBlock:
     numbers: Sequence[int]
     outcomes: Sequence[str]
     measures: Sequence[Sequence[Number]]
+
+    def stretches(self, size: int) -> Iterator[tuple[int, slice]]:
+        """Where rows one after another have the same number divided by `size`; that number, and their places."""
+        numbers = self.numbers
+        if isinstance(numbers, range):
+            for at in range(numbers.start // size, -(-numbers.stop // size)):
+                first, end = max(at * size, numbers.start), min((at + 1) * size, numbers.stop)
+                yield at, slice(first - numbers.start, end - numbers.start)
+            return
+        begin = 0
+        for at, group in groupby(numbers, lambda number: number // size):
+            end = begin + sum(1 for _ in group)
+            yield at, slice(begin, end)
+            begin = end
 
 
 def row_columns(folder: Path, plan: Plan, measures: Sequence[str] = ()) -> Iterator[RowBlock]:
@@ -61,21 +77,34 @@ def row_columns(folder: Path, plan: Plan, measures: Sequence[str] = ()) -> Itera
             rows = decoder.decode_lines(block)
         except (msgspec.DecodeError, RecursionError):
             raise no_row(_first_refused(block, decoder), folder) from None
-        numbers = [row.row for row in rows]
-        if any(map(seen.__getitem__, numbers)) or len(set(numbers)) < len(numbers):
+        numbers = _fresh(rows, seen)
+        if numbers is None:
             rows = _once(rows, seen)
             numbers = [row.row for row in rows]
-        for number in numbers:
-            seen[number] = 1
         found = [row.measures for row in rows]
-        yield RowBlock(
-            numbers, [row.outcome for row in rows], [[getattr(one, name) for one in found] for name in names]
-        )
+        yield RowBlock(numbers, [row.outcome for row in rows], [list(map(attrgetter(name), found)) for name in names])
+
+
+def _fresh(rows: Sequence[Any], seen: bytearray) -> range | None:
+    """The numbers of rows of which one follows another, as they nearly always do; None where one does not, or was
+    there before.
+    """
+    first = rows[0].row if rows else 0
+    numbers = range(first, first + len(rows))
+    if 1 in seen[first : numbers.stop] or [row.row for row in rows] != list(numbers):
+        return None
+    seen[first : numbers.stop] = b"\1" * len(rows)
+    return numbers
 
 
 def _once(rows: Sequence[Any], seen: bytearray) -> list[Any]:
     """Those that were not there before, nor before in these."""
-    return [row for row in {row.row: row for row in reversed(rows)}.values() if not seen[row.row]][::-1]
+    fresh = []
+    for row in rows:
+        if not seen[row.row]:
+            seen[row.row] = 1
+            fresh.append(row)
+    return fresh
 
 
 def _first_refused(block: bytes, decoder: Any) -> bytes:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from array import array
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -69,13 +69,13 @@ def summarise(study: StudyRows, confidence: float = USUAL_CONFIDENCE) -> list[Po
     outcomes: dict[int, dict[str, int]] = {}
     numbers: dict[int, list[array[float]]] = {}
     for block in row_columns(study.folder, plan, plan.measured):
-        for at, rows in _by_point(block.numbers, seeds):
+        for at, rows in block.stretches(seeds):
             if at not in outcomes:
                 outcomes[at], numbers[at] = {}, [array("d") for _ in plan.measured]
-            for outcome, count in Counter(block.outcomes[row] for row in rows).items():
+            for outcome, count in Counter(block.outcomes[rows]).items():
                 outcomes[at][outcome] = outcomes[at].get(outcome, 0) + count
             for column, measured in zip(numbers[at], block.measures, strict=True):
-                column.extend([number for row in rows if (number := measured[row]) is not None])
+                column.extend([number for number in measured[rows] if number is not None])
     return [
         PointSummary(
             at,
@@ -85,17 +85,6 @@ def summarise(study: StudyRows, confidence: float = USUAL_CONFIDENCE) -> list[Po
         )
         for at in sorted(outcomes)
     ]
-
-
-def _by_point(numbers: Sequence[int], seeds: int) -> Iterable[tuple[int, Sequence[int]]]:
-    """The places of these rows by their point; those of one point keep their order."""
-    points = [number // seeds for number in numbers]
-    if points and points.count(points[0]) == len(points):
-        return [(points[0], range(len(points)))]
-    places: dict[int, list[int]] = {}
-    for place, point in enumerate(points):
-        places.setdefault(point, []).append(place)
-    return places.items()
 
 
 def _cell(name: str, values: Sequence[float], confidence: float) -> Cell:

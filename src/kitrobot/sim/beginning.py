@@ -5,15 +5,21 @@ from __future__ import annotations
 from typing import Any
 
 from kitrobot.sim.jit.arrays import ArrayState
+from kitrobot.sim.outcome import Outcome
 from kitrobot.sim.step.probes import PROBES_OFF
 from kitrobot.sim.tables.state import State
 from kitrobot.sim.tables.state_codec import StateCodec
 
 
 class Beginning:
-    """A state that was kept. Once the tables are arrays, going back is one copy of their memory."""
+    """A state that was kept. Once the tables are arrays, going back is one copy of their memory.
 
-    def __init__(self, state: State, codec: StateCodec) -> None:
+    Attributes:
+        end: the outcome and the sentence of a run that is over before its first step; None and "" of any other.
+    """
+
+    def __init__(self, state: State, codec: StateCodec, end: tuple[Outcome | None, str]) -> None:
+        self.end = end
         self._codec = codec
         self._bytes = codec.encode(state)
         self._memory: Any = None

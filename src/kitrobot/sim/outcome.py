@@ -13,6 +13,7 @@ failed, stalled or lost its radio.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Literal
 
 from kitrobot.sim.physics.bodies import WorldState
 from kitrobot.sim.step.agents import Agent
@@ -21,6 +22,8 @@ from kitrobot.sim.tables.state import numbers
 from kitrobot.sim.tables.team_columns import T_SILENT
 from kitrobot.text.phrases import all_of
 from kitrobot.text.sentences import SEMICOLON, Recorded, Series
+
+Outcome = Literal["done", "failed", "stuck", "time"]
 
 AT_ONCE_S = 0.1
 """A run that ends before this came to its end at once."""

@@ -16,7 +16,6 @@ import hashlib
 import math
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from typing import Literal
 
 from kitrobot.compiler.compilation import CompiledProgram
 from kitrobot.compiler.team.points import TeamPlan
@@ -33,6 +32,7 @@ from kitrobot.sim.jit.arrays import as_arrays
 from kitrobot.sim.jit.policy import JitPolicy
 from kitrobot.sim.outcome import (
     Goals,
+    Outcome,
     describe_done,
     describe_failed,
     describe_stuck,
@@ -67,8 +67,6 @@ from kitrobot.text.suggestions import did_you_mean
 from kitrobot.trace.drawing import Mark
 from kitrobot.world.model import World
 from kitrobot.world.xml_writer import write_world
-
-Outcome = Literal["done", "failed", "stuck", "time"]
 
 
 class Simulation(RunView):
@@ -386,7 +384,8 @@ class Simulation(RunView):
     def keep_beginning(self) -> None:
         """Keeps the state before the first step, for `begin_again`; call it before that step."""
         assert self.tick == 0, "before the first step"
-        self._beginning = Beginning(self.state, self._codec)
+        self.update_outcome()
+        self._beginning = Beginning(self.state, self._codec, (self.outcome, self.sentence))
 
     def begin_again(self, seed: int) -> None:
         """Goes back to the beginning that was kept, with another seed: then it is the run that a new one would be.
@@ -398,4 +397,4 @@ class Simulation(RunView):
         self._beginning.put_back(self.state)
         self._chance.put(self.state, self.seed)
         self.events, self.drawn = [], []
-        self.update_outcome()
+        self.outcome, self.sentence = self._beginning.end

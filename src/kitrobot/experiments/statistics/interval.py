@@ -85,10 +85,11 @@ def check_values(values: Iterable[float], least: int) -> list[float]:
     values = list(values)
     try:
         found = list(map(float, values))
-        if all(map(math.isfinite, found)) and len(found) >= least:
+        # A sum is finite only where all are.
+        if len(found) >= least and math.isfinite(math.fsum(found)):
             return found
     except (TypeError, ValueError, OverflowError):
-        pass  # Said below.
+        pass  # Said below, or the sum alone is too large.
     found = []
     for place, value in enumerate(values, 1):
         try:
