@@ -88,25 +88,30 @@ def row_files(folder: Path) -> list[Path]:
 
 def row_lines(folder: Path) -> Iterator[bytes]:
     """All whole lines of a study, each once or more; one that is being written is none yet."""
-    for block in row_blocks(folder):
-        yield from block.splitlines(keepends=True)
-
-
-def row_blocks(folder: Path) -> Iterator[bytes]:
-    """The same, many lines at a time."""
     for path in row_files(folder):
-        try:
-            with path.open("rb") as file:
-                begun = b""
-                while piece := file.read(_PIECE):
-                    whole = piece.rfind(b"\n") + 1
-                    if whole:
-                        yield begun + piece[:whole]
-                        begun = b""
-                    begun += piece[whole:]
-        except OSError as error:
-            message = Sentence("`{path}` cannot be read: {reason}", path.name, Word(error.strerror or error))
-            raise ExperimentError(message) from error
+        for block in row_blocks(path):
+            yield from block.splitlines(keepends=True)
+
+
+def row_blocks(path: Path, begin: int = 0) -> Iterator[bytes]:
+    """The whole lines of a file of rows from a byte on, many at a time.
+
+    Raises:
+        ExperimentError: it cannot be read.
+    """
+    try:
+        with path.open("rb") as file:
+            file.seek(begin)
+            begun = b""
+            while piece := file.read(_PIECE):
+                whole = piece.rfind(b"\n") + 1
+                if whole:
+                    yield begun + piece[:whole]
+                    begun = b""
+                begun += piece[whole:]
+    except OSError as error:
+        message = Sentence("`{path}` cannot be read: {reason}", path.name, Word(error.strerror or error))
+        raise ExperimentError(message) from error
 
 
 def study_rows(folder: Path, plan: Plan) -> Iterator[dict[str, Any]]:

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from kitrobot.experiments.addresses import ExperimentError
-from kitrobot.experiments.row_columns import row_columns
+from kitrobot.experiments.row_columns import point_stretches, row_columns
 from kitrobot.experiments.statistics.interval import USUAL_CONFIDENCE, Interval
 from kitrobot.experiments.study_rows import StudyRows
 from kitrobot.experiments.tables import text_lines
@@ -68,14 +68,15 @@ def summarise(study: StudyRows, confidence: float = USUAL_CONFIDENCE) -> list[Po
     seeds = len(plan.seeds)
     outcomes: dict[int, dict[str, int]] = {}
     numbers: dict[int, list[array[float]]] = {}
-    for block in row_columns(study.folder, plan, plan.measured):
-        for at, rows in block.stretches(seeds):
+    for block in row_columns(study.folder, plan):
+        for at, rows in point_stretches(block.numbers, seeds):
             if at not in outcomes:
                 outcomes[at], numbers[at] = {}, [array("d") for _ in plan.measured]
             for outcome, count in Counter(block.outcomes[rows]).items():
                 outcomes[at][outcome] = outcomes[at].get(outcome, 0) + count
             for column, measured in zip(numbers[at], block.measures, strict=True):
-                column.extend([number for number in measured[rows] if number is not None])
+                part = measured[rows]
+                column.extend(part if isinstance(part, array) else [number for number in part if number is not None])
     return [
         PointSummary(
             at,
@@ -93,10 +94,13 @@ def _cell(name: str, values: Sequence[float], confidence: float) -> Cell:
 
     if not values:
         return Cell(name, 0, None)
-    mean = math.fsum(values) / len(values)
+    count = len(values)
     if name == "done":
-        return Cell(name, len(values), share_interval(int(sum(values)), len(values), confidence), mean)
-    return Cell(name, len(values), mean_interval(values, confidence) if len(values) > 1 else None, mean)
+        return Cell(name, count, share_interval(int(sum(values)), count, confidence), math.fsum(values) / count)
+    if count == 1:
+        return Cell(name, 1, None, values[0])
+    interval = mean_interval(values, confidence)
+    return Cell(name, count, interval, interval.estimate)
 
 
 def compare(study: StudyRows, address: str, measure: str, confidence: float = USUAL_CONFIDENCE) -> list[Comparison]:
