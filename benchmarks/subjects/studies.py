@@ -110,7 +110,7 @@ def _summary(size: Size) -> Row:
     plan = plan_study(opened, asked)
     with tempfile.TemporaryDirectory() as folder:
         begin_study(Path(folder), plan)
-        run_study(Path(folder), _Canned())
+        run_study(Path(folder), _CannedRows())
         study = Study(Path(folder))
         seconds = in_turns({"ours": study.summary}, min(size.rounds, 3))["ours"]
     return Row(f"summary of {size.rows:,} rows".replace(",", " "), "ms", milliseconds(seconds), lower_is_better=True)
@@ -142,7 +142,7 @@ class _Hot:
             yield self._runner.run(row)
 
 
-class _Canned:
+class _CannedRows:
     """An executor that makes up its rows."""
 
     def run(self, work: Work, stop: Callable[[], bool]) -> Iterator[bytes]:

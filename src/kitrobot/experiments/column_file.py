@@ -90,10 +90,8 @@ class ColumnFile:
             self._ends.extend([self._outcomes[outcome] for outcome in columns.outcomes])
         self._numbers.extend(columns.numbers)
         for at, measured in enumerate(columns.measures):
-            if None in measured:
-                self._has_gaps[at] = True
-                measured = [math.nan if number is None else number for number in measured]
-            self._measures[at].extend(measured)
+            self._has_gaps[at] = self._has_gaps[at] or None in measured
+            self._measures[at].extend([math.nan if number is None else number for number in measured])
         self.covered += len(block)
         self._sum = crc32(block, self._sum)
 
@@ -103,12 +101,16 @@ class ColumnFile:
             return
         head = {**self._identity, "covered": self.covered, "sum": self._sum, "rows": len(self._numbers)}
         said = to_json(head | {"outcomes": list(self._outcomes), "gaps": self._has_gaps})
-        parts = [len(said).to_bytes(8, "little"), said, *map(memoryview, (self._numbers, self._ends, *self._measures))]
+        parts: list[bytes | array[Any]] = [len(said).to_bytes(8, "little"), said, *self._columns]
         found = 0
         for part in parts:
             found = crc32(part, found)
         with suppress(OSError, KitRobotError):
             write_atomic(self._path, b"".join([*parts, found.to_bytes(4, "little")]))
+
+    @property
+    def _columns(self) -> list[array[Any]]:
+        return [self._numbers, self._ends, *self._measures]
 
     @property
     def _identity(self) -> dict[str, Any]:
@@ -129,7 +131,7 @@ class ColumnFile:
         self._outcomes = {outcome: number for number, outcome in enumerate(head["outcomes"])}
         self._has_gaps = head["gaps"]
         at = 0
-        for column in (self._numbers, self._ends, *self._measures):
+        for column in self._columns:
             end = at + count * column.itemsize
             column.frombytes(body[at:end])
             at = end

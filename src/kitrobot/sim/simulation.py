@@ -26,8 +26,8 @@ from kitrobot.mission.trial import FailureKind
 from kitrobot.mission.writer import write_mission
 from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.image_name import ImageName
-from kitrobot.sim.beginning import Beginning
 from kitrobot.sim.event_text import Event, EventText
+from kitrobot.sim.initial_snapshot import InitialSnapshot
 from kitrobot.sim.jit.arrays import as_arrays
 from kitrobot.sim.jit.policy import JitPolicy
 from kitrobot.sim.outcome import (
@@ -385,7 +385,7 @@ class Simulation(RunView):
         """Keeps the state before the first step, for `begin_again`; call it before that step."""
         assert self.tick == 0, "before the first step"
         self.update_outcome()
-        self._beginning = Beginning(self.state, self._codec, (self.outcome, self.sentence))
+        self._beginning = InitialSnapshot(self.state, self._codec, (self.outcome, self.sentence))
 
     def begin_again(self, seed: int) -> None:
         """Goes back to the beginning that was kept, with another seed: then it is the run that a new one would be.

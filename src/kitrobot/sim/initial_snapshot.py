@@ -11,7 +11,7 @@ from kitrobot.sim.tables.state import State
 from kitrobot.sim.tables.state_codec import StateCodec
 
 
-class Beginning:
+class InitialSnapshot:
     """A state that was kept. Once the tables are arrays, going back is one copy of their memory.
 
     Attributes:
