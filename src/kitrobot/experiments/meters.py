@@ -198,12 +198,12 @@ class ConditionMeter:
 
 
 def _cells(run: Simulation, agent: int, names: frozenset[str]) -> list[int]:
-    """The cells of an agent's machine that a test which names these parts reads."""
+    """The cells of an agent's machine that a test which names these parts reads: at least one, so that it is asked."""
     layout = run.members[agent].machine.layout
     places = layout.sensors | layout.variables
     if not names <= places.keys():
         return list(range(layout.cells))
-    return [0, *sorted(places[name] for name in names)]
+    return sorted(places[name] for name in names) or [0]
 
 
 def _try(test: str, robot: Robot, cells: Sequence[int], count: int) -> Callable[[tuple[int, ...]], bool]:

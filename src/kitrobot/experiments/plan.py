@@ -108,7 +108,7 @@ class Plan:
 
     def point(self, row: int) -> dict[str, Value]:
         """The values of a row, by address."""
-        return point_at(self.axes, self.is_zip, row // len(self.seeds))
+        return dict(self._point(row // len(self.seeds))[1])
 
     def seed(self, row: int) -> int:
         """The seed of a row."""
@@ -123,17 +123,20 @@ class Plan:
 
     def row_id(self, row: int) -> str:
         """24 hexadecimal digits that runs have in common exactly when the same decides them."""
-        # The JSON of [digest, point, seed]; rows of one point mostly come one after another.
-        number, begun = self._last_point
-        if number != row // len(self.seeds):
-            begun = to_json([self.digest, sorted(self.point(row).items())])[:-1]
-            self._last_point[:] = row // len(self.seeds), begun
+        _, _, begun = self._point(row // len(self.seeds))
         return hashlib.sha256(b"%b,%d]" % (begun, self.seed(row))).hexdigest()[:24]
 
-    @cached_property
-    def _last_point(self) -> list[Any]:
-        """The number of a point, and how the JSON of what decides its rows begins."""
-        return [-1, b""]
+    def _point(self, number: int) -> tuple[int, dict[str, Value], bytes]:
+        """A point: its number, its values, and how the JSON of what decides its rows, [digest, values, seed], begins.
+
+        Rows of one point mostly come one after another, so the last one is kept.
+        """
+        found: tuple[int, dict[str, Value], bytes] | None = self.__dict__.get("_last_point")
+        if found is None or found[0] != number:
+            point = point_at(self.axes, self.is_zip, number)
+            found = number, point, to_json([self.digest, sorted(point.items())])[:-1]
+            self.__dict__["_last_point"] = found
+        return found
 
     def to_toml(self) -> str:
         """As it is kept."""
