@@ -14,7 +14,7 @@ from typing import Annotated, Any
 
 import msgspec
 
-from kitrobot.experiments.column_file import ColumnFile, Columns
+from kitrobot.experiments.column_file import ColumnFile, Columns, ColumnWriter
 from kitrobot.experiments.plan import Plan
 from kitrobot.experiments.study_folder import no_row, row_blocks, row_files
 
@@ -48,17 +48,17 @@ def keep_columns(folder: Path, plan: Plan, file: str) -> None:
 
 def _columns_of(path: Path, plan: Plan, read: Callable[[bytes], Columns]) -> Iterator[Columns]:
     """The rows of one file, those that its column file has first; makes that anew where it is worth it."""
-    kept = ColumnFile(path, plan)
-    begin = kept.covered
-    yield from kept
-    is_growing = _is_growing(path, begin)
-    for block in row_blocks(path, begin):
-        columns = read(block)
-        if is_growing:
-            kept.add(block, columns)
-        yield columns
-    if is_growing:
-        kept.write()
+    with ColumnFile(path, plan) as kept:
+        yield from kept
+        if not _is_growing(path, kept.covered):
+            yield from map(read, row_blocks(path, kept.covered))
+            return
+        with ColumnWriter(kept) as writer:
+            for block in row_blocks(path, kept.covered):
+                columns = read(block)
+                writer.add(block, columns)
+                yield columns
+            writer.finish()
 
 
 def _is_growing(path: Path, covered: int) -> bool:
