@@ -55,10 +55,10 @@ POINTS = 100
 
 
 def run(size: Size, *, peers: bool) -> list[Row]:
-    return [_transport(size), *_small(size, peers), _summary(size)]
+    return [_transport(size, peers), *_small(size, peers), _summary(size)]
 
 
-def _transport(size: Size) -> Row:
+def _transport(size: Size, peers: bool) -> Row:
     opened = kitrobot.open_mission("transport")
     plan = plan_study(opened, StudyRequest(seeds=f"1-{size.transport}"))
     runner = PointRunner(plan, pace=Pace.COMPILED)
@@ -70,7 +70,7 @@ def _transport(size: Size) -> Row:
         size.transport,
         size.rounds,
     )
-    return Row("transport", "runs/s", rates["study"], "a loop over run()", rates["loop"])
+    return Row("transport", "runs/s", rates["study"], "a loop over run()", rates["loop"] if peers else None)
 
 
 def _small(size: Size, peers: bool) -> list[Row]:
@@ -94,8 +94,10 @@ def _small(size: Size, peers: bool) -> list[Row]:
     name = agents_in_space.NAME if peers else ""
     return [
         Row(what, "runs/s", rates["bare"], f"{name} batch_run" if peers else "", rates.get("mesa")),
-        Row(f"{what}, kept", "runs/s", rates["kept"], "not kept", rates["bare"]),
-        Row(f"{what}, measured each step", "runs/s", rates["measured"], "not measured", rates["bare"]),
+        Row(f"{what}, kept", "runs/s", rates["kept"], "not kept", rates["bare"] if peers else None),
+        Row(
+            f"{what}, measured each step", "runs/s", rates["measured"], "not measured", rates["bare"] if peers else None
+        ),
     ]
 
 
