@@ -108,7 +108,7 @@ class Plan:
 
     def point(self, row: int) -> dict[str, Value]:
         """The values of a row, by address."""
-        return point_at(self.axes, self.is_zip, row // len(self.seeds))
+        return dict(self._point(row // len(self.seeds))[1])
 
     def seed(self, row: int) -> int:
         """The seed of a row."""
@@ -123,8 +123,20 @@ class Plan:
 
     def row_id(self, row: int) -> str:
         """24 hexadecimal digits that runs have in common exactly when the same decides them."""
-        said = [self.digest, sorted(self.point(row).items()), self.seed(row)]
-        return hashlib.sha256(to_json(said)).hexdigest()[:24]
+        _, _, begun = self._point(row // len(self.seeds))
+        return hashlib.sha256(b"%b,%d]" % (begun, self.seed(row))).hexdigest()[:24]
+
+    def _point(self, number: int) -> tuple[int, dict[str, Value], bytes]:
+        """A point: its number, its values, and how the JSON of what decides its rows, [digest, values, seed], begins.
+
+        Rows of one point mostly come one after another, so the last one is kept.
+        """
+        found: tuple[int, dict[str, Value], bytes] | None = self.__dict__.get("_last_point")
+        if found is None or found[0] != number:
+            point = point_at(self.axes, self.is_zip, number)
+            found = number, point, to_json([self.digest, sorted(point.items())])[:-1]
+            self.__dict__["_last_point"] = found
+        return found
 
     def to_toml(self) -> str:
         """As it is kept."""

@@ -16,7 +16,8 @@ from typing import Any
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.experiments.addresses import PROGRAM, ExperimentError
-from kitrobot.experiments.measures import Meter, make_meter
+from kitrobot.experiments.measures import make_meter
+from kitrobot.experiments.meters import MeterBank
 from kitrobot.experiments.mission_addresses import mission_addresses, put_program
 from kitrobot.experiments.plan import Function, Plan, first_problem
 from kitrobot.experiments.variant import Value, open_variant, variant_of
@@ -99,7 +100,7 @@ class PointRunner:
         self._addresses = mission_addresses(self._opened)
         self._point = -1
         self._prepared: PreparedRun | None = None
-        self._meters: dict[str, Meter] = {}
+        self._meters: MeterBank
         self._refusal: KitRobotError | None = None
 
     def run(self, row: int) -> bytes:
@@ -159,7 +160,7 @@ class PointRunner:
                 self._prepared = self.prepare(row)
                 run = self._prepared.simulation
                 run.stays_plain = self._pace is Pace.PLAIN
-                self._meters = {one.name: make_meter(one, run) for one in self._plan.measures}
+                self._meters = MeterBank({one.name: make_meter(one, run) for one in self._plan.measures}, run)
                 run.keep_beginning()
                 if self._pace is Pace.COMPILED:
                     run.compile_step()
@@ -174,16 +175,13 @@ class PointRunner:
 
     def _fields(self, simulation: Simulation, row: int) -> dict[str, Any]:
         """Runs to the end; what is measured."""
-        watching = [meter.after_step for meter in self._meters.values() if meter.each_step]
-        for meter in self._meters.values():
-            meter.begin()
-        if watching:
-            self._run_watched(simulation, watching)
+        self._meters.begin()
         stretch = PLAIN_STRETCH if self._pace is Pace.PLAIN else STRETCH
         while simulation.outcome is None:
             self._look()
-            simulation.advance(stretch)
-        measures: dict[str, Any] = {name: meter.value() for name, meter in self._meters.items()}
+            simulation.advance(stretch, tells=False)
+            self._meters.after_steps()
+        measures = self._meters.values()
         fields = {"seconds": simulation.seconds, "ticks": simulation.tick, "measures": measures}
         outcome, sentence = simulation.outcome, simulation.sentence
         wrong: dict[str, str] = {}
@@ -200,14 +198,6 @@ class PointRunner:
     def _look(self) -> None:
         if self._stop():
             raise RunStoppedError
-
-    def _run_watched(self, simulation: Simulation, watching: list[Callable[[], None]]) -> None:
-        while simulation.outcome is None:
-            if simulation.tick % PLAIN_STRETCH == 0:
-                self._look()
-            simulation.advance(1)
-            for after_step in watching:
-                after_step()
 
     def _record(self, simulation: Simulation, file: Path) -> None:
         assert self._prepared is not None, "it was set up"

@@ -89,14 +89,29 @@ def row_files(folder: Path) -> list[Path]:
 def row_lines(folder: Path) -> Iterator[bytes]:
     """All whole lines of a study, each once or more; one that is being written is none yet."""
     for path in row_files(folder):
-        try:
-            with path.open("rb") as file:
-                for line in file:
-                    if line.endswith(b"\n"):
-                        yield line
-        except OSError as error:
-            message = Sentence("`{path}` cannot be read: {reason}", path.name, Word(error.strerror or error))
-            raise ExperimentError(message) from error
+        for block in row_blocks(path):
+            yield from block.splitlines(keepends=True)
+
+
+def row_blocks(path: Path, begin: int = 0) -> Iterator[bytes]:
+    """The whole lines of a file of rows from a byte on, many at a time.
+
+    Raises:
+        ExperimentError: it cannot be read.
+    """
+    try:
+        with path.open("rb") as file:
+            file.seek(begin)
+            begun = b""
+            while piece := file.read(_PIECE):
+                whole = piece.rfind(b"\n") + 1
+                if whole:
+                    yield begun + piece[:whole]
+                    begun = b""
+                begun += piece[whole:]
+    except OSError as error:
+        message = Sentence("`{path}` cannot be read: {reason}", path.name, Word(error.strerror or error))
+        raise ExperimentError(message) from error
 
 
 def study_rows(folder: Path, plan: Plan) -> Iterator[dict[str, Any]]:
@@ -125,8 +140,13 @@ def read_row(line: bytes, plan: Plan, folder: Path) -> dict[str, Any]:
             return row
     except (JSONDecodeError, KeyError):
         pass
+    raise no_row(line, folder)
+
+
+def no_row(line: bytes, folder: Path) -> ExperimentError:
+    """What is said of a line that is no row of its study."""
     shown = line[:60].decode(errors="replace").strip()
-    raise ExperimentError(
+    return ExperimentError(
         Sentence("`{folder}` holds a line that is no row of its study: `{line}`", folder.name, shown),
         Sentence("take that line out of its file; the run is then made again"),
     )

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from kitrobot.experiments.addresses import ExperimentError
-from kitrobot.experiments.measures import Number
+from kitrobot.experiments.meters import Number
 from kitrobot.experiments.plan import Function, Plan
 from kitrobot.experiments.point_runner import DIED, ERROR, PointRunner
 from kitrobot.experiments.study_folder import open_study, study_rows

@@ -17,6 +17,7 @@ from kitrobot.experiments.addresses import ExperimentError
 from kitrobot.experiments.executor import Executor, ThisProcess, Work
 from kitrobot.experiments.plan import Plan
 from kitrobot.experiments.point_runner import Stop
+from kitrobot.experiments.row_columns import keep_columns
 from kitrobot.experiments.study_folder import (
     ROWS,
     RowWriter,
@@ -114,6 +115,8 @@ def run_study(
             there += len(lines)
             if progress is not None:
                 progress(there, total)
+        if left:
+            keep_columns(folder, plan, shard.file)
     return there == total
 
 

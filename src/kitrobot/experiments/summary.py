@@ -7,13 +7,15 @@ number do not count, and `Cell.runs` says how many do. The statistics are those 
 from __future__ import annotations
 
 import math
+from array import array
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from kitrobot.experiments.addresses import ExperimentError
+from kitrobot.experiments.row_columns import point_stretches, row_columns
 from kitrobot.experiments.statistics.interval import USUAL_CONFIDENCE, Interval
-from kitrobot.experiments.study_folder import study_rows
 from kitrobot.experiments.study_rows import StudyRows
 from kitrobot.experiments.tables import text_lines
 from kitrobot.experiments.variant import Value
@@ -65,16 +67,16 @@ def summarise(study: StudyRows, confidence: float = USUAL_CONFIDENCE) -> list[Po
     plan = study.plan
     seeds = len(plan.seeds)
     outcomes: dict[int, dict[str, int]] = {}
-    numbers: dict[int, list[list[float]]] = {}
-    for row in study_rows(study.folder, plan):  # As they are: a million objects would take as long as all the rest.
-        at, outcome, measures = row["row"] // seeds, row["outcome"], row.get("measures", {})
-        if at not in outcomes:
-            outcomes[at], numbers[at] = {}, [[] for _ in plan.measured]
-        outcomes[at][outcome] = outcomes[at].get(outcome, 0) + 1
-        for column, name in zip(numbers[at], plan.measured, strict=True):
-            value = measures.get(name)
-            if value is not None:
-                column.append(value)
+    numbers: dict[int, list[array[float]]] = {}
+    for block in row_columns(study.folder, plan):
+        for at, rows in point_stretches(block.numbers, seeds):
+            if at not in outcomes:
+                outcomes[at], numbers[at] = {}, [array("d") for _ in plan.measured]
+            for outcome, count in Counter(block.outcomes[rows]).items():
+                outcomes[at][outcome] = outcomes[at].get(outcome, 0) + count
+            for column, measured in zip(numbers[at], block.measures, strict=True):
+                part = measured[rows]
+                column.extend(part if isinstance(part, array) else [number for number in part if number is not None])
     return [
         PointSummary(
             at,
@@ -92,10 +94,13 @@ def _cell(name: str, values: Sequence[float], confidence: float) -> Cell:
 
     if not values:
         return Cell(name, 0, None)
-    mean = math.fsum(values) / len(values)
+    count = len(values)
     if name == "done":
-        return Cell(name, len(values), share_interval(int(sum(values)), len(values), confidence), mean)
-    return Cell(name, len(values), mean_interval(values, confidence) if len(values) > 1 else None, mean)
+        return Cell(name, count, share_interval(int(sum(values)), count, confidence), math.fsum(values) / count)
+    if count == 1:
+        return Cell(name, 1, None, values[0])
+    interval = mean_interval(values, confidence)
+    return Cell(name, count, interval, interval.estimate)
 
 
 def compare(study: StudyRows, address: str, measure: str, confidence: float = USUAL_CONFIDENCE) -> list[Comparison]:

@@ -23,7 +23,8 @@ from kitrobot.fleet.refusals import Refusals
 from kitrobot.fleet.roster import Answer, Roster
 from kitrobot.fleet.transport import Channel, milliseconds
 from kitrobot.fleet.world import WorldHost
-from kitrobot.sim.simulation import Outcome, Simulation
+from kitrobot.sim.outcome import Outcome
+from kitrobot.sim.simulation import Simulation
 from kitrobot.text.phrases import listed
 from kitrobot.text.sentences import Sentence
 

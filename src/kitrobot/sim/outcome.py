@@ -13,12 +13,17 @@ failed, stalled or lost its radio.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Literal
 
 from kitrobot.sim.physics.bodies import WorldState
 from kitrobot.sim.step.agents import Agent
-from kitrobot.sim.tables.columns import WELL
+from kitrobot.sim.tables.columns import DOWN, ENDED, LEFT, MUTED, ORIGIN, WELL
+from kitrobot.sim.tables.state import numbers
+from kitrobot.sim.tables.team_columns import T_SILENT
 from kitrobot.text.phrases import all_of
 from kitrobot.text.sentences import SEMICOLON, Recorded, Series
+
+Outcome = Literal["done", "failed", "stuck", "time"]
 
 AT_ONCE_S = 0.1
 """A run that ends before this came to its end at once."""
@@ -48,6 +53,8 @@ class Goals:
 
     def describe_full_storehouses(self, agents: Sequence[Agent]) -> str:
         """The storehouses in which arms wait for room; "" for none."""
+        if not self._names:
+            return ""
         waited_for = dict.fromkeys(agent.full_house for agent in agents)
         return list_names(
             [Recorded("storehouse {storehouse} is full", self._names[house]) for house in waited_for if house >= 0]
@@ -146,7 +153,7 @@ def describe_stuck(goals: Goals, agents: Sequence[Agent], missing: Sequence[str]
 
 def _unfinished(agents: Sequence[Agent]) -> str:
     """How many programs go on."""
-    running = sum(not agent.ended for agent in agents)
+    running = len(agents) - len(_having(ENDED, agents))
     if len(agents) == 1:
         return Recorded("the program had not ended")
     return Recorded.counted(
@@ -156,7 +163,8 @@ def _unfinished(agents: Sequence[Agent]) -> str:
 
 def _casualties(agents: Sequence[Agent]) -> str:
     """Who failed, stalled or lost its radio before its program had ended, when and why; "" for nobody."""
-    return list_names([fault_text for agent in agents if not agent.ended and (fault_text := agent.fault_text)])
+    suffering = _not_well(agents)
+    return list_names([fault_text for agent in suffering if not agent.ended and (fault_text := agent.fault_text)])
 
 
 def is_at_once(seconds: float, agents: Sequence[Agent]) -> bool:
@@ -180,16 +188,29 @@ def _driving(agents: Sequence[Agent]) -> str:
 
 def _left(agents: Sequence[Agent]) -> str:
     """Who is beyond the edge of the world; "" for nobody."""
-    names = [agent.name for agent in agents if agent.is_outside]
+    names = [agent.name for agent in _having(LEFT, agents) if agent.is_outside]
     return Recorded("{names} left the world, which has no wall there", list_names(names)) if names else ""
 
 
 def _lost_boxes(agents: Sequence[Agent]) -> str:
     """Whose boxes are lost; "" for nobody's."""
-    names = [agent.name for agent in agents if agent.lost_its_box]
+    names = [agent.name for agent in _having(ORIGIN, agents) if agent.lost_its_box]
     if len(names) == 1:
         return Recorded("the box of {name} is lost", names[0])
     return Recorded("the boxes of {names} are lost", list_names(names)) if names else ""
+
+
+def _having(column: int, agents: Sequence[Agent]) -> list[Agent]:
+    """Those of whom a number of `robots.ints` is not 0: of most columns nobody, which is looked up at once."""
+    row = numbers(agents[0].state.robots.ints[column]) if agents else []
+    return [agent for agent in agents if row[agent.index]] if any(row) else []
+
+
+def _not_well(agents: Sequence[Agent]) -> Sequence[Agent]:
+    """All of whom a fault could be told: nobody where nothing befell anybody."""
+    silent = numbers(agents[0].state.team.robots[T_SILENT]) if agents else []
+    has_fault = _having(DOWN, agents) or _having(MUTED, agents) or any(since >= 0 for since in silent)
+    return agents if has_fault else ()
 
 
 def _joined(*clauses: str) -> str:

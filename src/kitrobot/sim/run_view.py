@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.sim.agent_views import AgentView, poses_of, view_of
 from kitrobot.sim.event_text import sensor_names
 from kitrobot.sim.physics.bodies import WorldState
 from kitrobot.sim.step.agents import Agent
+from kitrobot.sim.step.probes import FloatPlace, IntPlace, probe_tables
 from kitrobot.sim.tables.columns import COLLISIONS, S_FORCED, TICK
 from kitrobot.sim.tables.state import State, numbers
 from kitrobot.text.phrases import one_of
@@ -43,6 +45,14 @@ class RunView:
         self.stage.show(state)
         for agent in self.members:
             agent.show(state)
+
+    def probe(self, ints: Sequence[IntPlace], floats: Sequence[FloatPlace]) -> None:
+        """Makes room to write down the numbers at these places after each step (see `step.probes`).
+
+        Call it before the first step. Who begins to read them takes them too (`take_probed`), or no step goes on.
+        """
+        assert self.tick == 0, "before the first step"
+        self._show(replace(self.state, probes=probe_tables(ints, floats)))
 
     @property
     def tick(self) -> int:

@@ -16,7 +16,6 @@ import hashlib
 import math
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from typing import Literal
 
 from kitrobot.compiler.compilation import CompiledProgram
 from kitrobot.compiler.team.points import TeamPlan
@@ -28,10 +27,12 @@ from kitrobot.mission.writer import write_mission
 from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.image_name import ImageName
 from kitrobot.sim.event_text import Event, EventText
+from kitrobot.sim.initial_snapshot import InitialSnapshot
 from kitrobot.sim.jit.arrays import as_arrays
 from kitrobot.sim.jit.policy import JitPolicy
 from kitrobot.sim.outcome import (
     Goals,
+    Outcome,
     describe_done,
     describe_failed,
     describe_stuck,
@@ -41,7 +42,7 @@ from kitrobot.sim.outcome import (
 )
 from kitrobot.sim.overrides import force_sensor, stop_motors
 from kitrobot.sim.run_view import RunView
-from kitrobot.sim.setup.chance_keys import put_chance_keys
+from kitrobot.sim.setup.chance_keys import ChanceKeys
 from kitrobot.sim.setup.limits import SimulationError, check_limits, whole_number
 from kitrobot.sim.setup.setup import Setup, shared_tables_of
 from kitrobot.sim.snapshots import SNAPSHOT_VERSION, damaged, sealed, unsealed
@@ -66,8 +67,6 @@ from kitrobot.text.suggestions import did_you_mean
 from kitrobot.trace.drawing import Mark
 from kitrobot.world.model import World
 from kitrobot.world.xml_writer import write_world
-
-Outcome = Literal["done", "failed", "stuck", "time"]
 
 
 class Simulation(RunView):
@@ -118,9 +117,11 @@ class Simulation(RunView):
         check_limits(seconds, seed, fail_rate)
         seed = whole_number(seed)
         with collection_paused():
-            setup = Setup(mission, world, images, catalogue, seed, fail_rate, team=team)
+            setup = Setup(mission, world, images, catalogue, fail_rate, team=team)
         shared = shared_tables_of(setup.agents)
         super().__init__(world, setup.agents, setup.tables.state(shared), setup.step_ms)
+        self._chance = ChanceKeys(self.state, self.members, self._sensors)
+        self._chance.put(self.state, seed)
         self.mission = mission
         self.seed = seed
         self.seconds_limit = seconds
@@ -164,10 +165,10 @@ class Simulation(RunView):
             )
         self.advance(1)
 
-    def advance(self, steps: int) -> int:
-        """Runs up to so many steps and gives how many; fewer when the run ends, or when very much has happened.
+    def advance(self, steps: int, tells: bool = True) -> int:
+        """Runs up to so many steps and gives how many; fewer when the run ends, or what happens or is probed fills up.
 
-        `events` is then what happened in all of them. Many steps in one call are quicker than as many calls.
+        `events` is then what happened in all of them, unless nobody asks. Many steps in one call are quicker.
         """
         self.events, self.drawn = [], []
         if self.outcome is not None or steps < 1:
@@ -190,7 +191,8 @@ class Simulation(RunView):
             done += ran
             if ran < part:
                 break
-        self.events, self.drawn = self._event_text.events(self.state), drawn_marks(self.state)
+        if tells:
+            self.events, self.drawn = self._event_text.events(self.state), drawn_marks(self.state)
         self.update_outcome()
         return done
 
@@ -382,7 +384,8 @@ class Simulation(RunView):
     def keep_beginning(self) -> None:
         """Keeps the state before the first step, for `begin_again`; call it before that step."""
         assert self.tick == 0, "before the first step"
-        self._beginning = self._codec.encode(self.state)
+        self.update_outcome()
+        self._beginning = InitialSnapshot(self.state, self._codec, (self.outcome, self.sentence))
 
     def begin_again(self, seed: int) -> None:
         """Goes back to the beginning that was kept, with another seed: then it is the run that a new one would be.
@@ -391,7 +394,7 @@ class Simulation(RunView):
         """
         self.seed = whole_number(seed)
         self.__dict__.pop("identity", None)
-        self._codec.decode(self.state, self._beginning)
-        put_chance_keys(self.state, self.members, self._sensors, self.seed)
+        self._beginning.put_back(self.state)
+        self._chance.put(self.state, self.seed)
         self.events, self.drawn = [], []
-        self.update_outcome()
+        self.outcome, self.sentence = self._beginning.end

@@ -14,7 +14,8 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.sim.simulation import Outcome, Simulation
+from kitrobot.sim.outcome import Outcome
+from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import Sentence
 
 MOST_MOMENTS = 10_000

@@ -15,8 +15,9 @@ from typing import Any, Final
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.sim.jit.policy import expect_many_runs, would_gain
+from kitrobot.sim.outcome import Outcome
 from kitrobot.sim.run_spec import RunSpec
-from kitrobot.sim.simulation import Outcome, Simulation
+from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.sweep import (
     MOST_MOMENTS,
     Fault,

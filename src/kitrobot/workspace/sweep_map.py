@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 from typing import Final
 
-from kitrobot.sim.simulation import Outcome
+from kitrobot.sim.outcome import Outcome
 from kitrobot.sim.sweep import Fault
 from kitrobot.workspace.sweep import OUTCOMES, Sweep
 from kitrobot.xml.writer import escape_text

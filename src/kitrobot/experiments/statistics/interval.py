@@ -82,7 +82,15 @@ def check_values(values: Iterable[float], least: int) -> list[float]:
     Raises:
         StatisticsError: one is no finite number, or there are too few.
     """
-    found: list[float] = []
+    values = list(values)
+    try:
+        found = list(map(float, values))
+        # A sum is finite only where all are.
+        if len(found) >= least and math.isfinite(math.fsum(found)):
+            return found
+    except (TypeError, ValueError, OverflowError):
+        pass  # Said below, or the sum alone is too large.
+    found = []
     for place, value in enumerate(values, 1):
         try:
             number = float(value)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterable, Sequence
+from operator import mul
 from typing import Literal
 
 from kitrobot.experiments.statistics.interval import (
@@ -20,6 +21,8 @@ from kitrobot.text.sentences import Sentence
 MeanMethod = Literal["t", "bootstrap"]
 RESAMPLES = 2000
 _TINY = 1e-9
+_SMALL, _LARGE = 1e-100, 1e100
+"""Between these, values are added up and squared as they are."""
 
 
 def mean_interval(
@@ -43,9 +46,7 @@ def mean_interval(
         (59.5, 57.45, 61.55)
     """
     check_confidence(confidence)
-    found = check_values(values, 2)
-    scale = max(map(abs, found)) or 1.0
-    scaled = [value / scale for value in found]
+    scaled, scale = _scaled(check_values(values, 2))
     mean = math.fsum(scaled) / len(scaled)
     if method == "t":
         margin = t_bound(confidence, len(scaled) - 1) * _standard_error(scaled, mean)
@@ -85,9 +86,7 @@ def paired_test(first: Iterable[float], second: Iterable[float]) -> float:
     Raises:
         StatisticsError: as `paired_difference`.
     """
-    differences = check_values(_differences(first, second), 2)
-    scale = max(map(abs, differences)) or 1.0
-    scaled = [value / scale for value in differences]
+    scaled, _ = _scaled(check_values(_differences(first, second), 2))
     mean = math.fsum(scaled) / len(scaled)
     error = _standard_error(scaled, mean)
     if error == 0:
@@ -105,11 +104,22 @@ def _differences(first: Iterable[float], second: Iterable[float]) -> list[float]
     return [other - one for one, other in zip(ones, others, strict=True)]
 
 
+def _scaled(values: Sequence[float]) -> tuple[Sequence[float], float]:
+    """The values, and 1; where their squares could be too large or too small for a float, values of which the largest
+    is 1, and in what unit these are.
+    """
+    scale = max(-min(values), max(values))
+    if scale == 0 or _SMALL < scale < _LARGE:
+        return values, 1.0
+    return [value / scale for value in values], scale
+
+
 def _standard_error(values: Sequence[float], mean: float) -> float:
     count = len(values)
     if min(values) == max(values):
         return 0.0
-    return math.sqrt(math.fsum((value - mean) ** 2 for value in values) / (count - 1) / count)
+    spread = [value - mean for value in values]
+    return math.sqrt(math.fsum(map(mul, spread, spread)) / (count - 1) / count)
 
 
 def _bootstrap(values: Sequence[float], mean: float, confidence: float, seed: int) -> tuple[float, float]:

@@ -70,9 +70,13 @@ def _build(folder: Path) -> Advance:
         if loop.__module__ != rows.__name__:
             extending.register_jitable(**options)(loop)
     (compiled,) = njit(folder, [advance])
+    compiled(small_state().pointer, 0)
+    # Which of its versions is meant, Numba would find out at each call: that takes as long as some steps.
+    (only,) = compiled.overloads.values()
+    entry = only.entry_point
 
     def step(state: Any, steps: int) -> int:
-        return int(compiled(state.pointer, steps))
+        return int(entry(state.pointer, steps))
 
     step(small_state(), 0)
     return step

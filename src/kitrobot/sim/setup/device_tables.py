@@ -21,7 +21,6 @@ class FittedDevice:
     device: type[Device]
     values: Values
     placement: Placement
-    keys: tuple[int, int]
 
 
 class DeviceTables:

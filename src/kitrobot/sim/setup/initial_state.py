@@ -29,8 +29,8 @@ from kitrobot.sim.step.actuation import QUEUE
 from kitrobot.sim.step.deadlock_detection import HELD_ROWS, QUIET_STEPS
 from kitrobot.sim.step.fault_schedule import FaultPlan
 from kitrobot.sim.step.pens import pen_tables
+from kitrobot.sim.step.probes import no_probes
 from kitrobot.sim.tables import columns as c
-from kitrobot.sim.tables.random_numbers import keys
 from kitrobot.sim.tables.state import Contacts, Faults, Grid, Machines, Rays, Robots, State, Team
 from kitrobot.world.geometry import Pose
 from kitrobot.world.model import World
@@ -40,18 +40,16 @@ BY_HAND_AT_ONCE = 64
 
 
 class Tables:
-    """The tables while they grow; `state` puts them together.
+    """The tables while they grow; `state` puts them together, without the keys of chance (`chance_keys`).
 
     Args:
         world: where the run takes place.
         step_ms: a step of the run.
-        seed: where chance begins.
     """
 
-    def __init__(self, world: World, step_ms: int, seed: int) -> None:
+    def __init__(self, world: World, step_ms: int) -> None:
         self.world = world
         self.dt = step_ms / 1000
-        self.seed = seed
         self.floats: list[list[float]] = [[] for _ in range(c.ROBOT_FLOATS)]
         self.ints: list[list[int]] = [[] for _ in range(c.ROBOT_INTS)]
         self.machines: list[Machine] = []
@@ -118,13 +116,10 @@ class Tables:
         device: type[Device],
         values: Values,
         placement: Placement,
-        name: str,
     ) -> None:
         """A device of a robot; an actuator's robot has no other robot's actuators between its own."""
         category = "sensor" if issubclass(device, Sensor) else "actuator"
-        fitted = FittedDevice(
-            robot, number, part, device, values, placement, keys(self.seed, name, category, part.name)
-        )
+        fitted = FittedDevice(robot, number, part, device, values, placement)
         (self._sensors if category == "sensor" else self._actuators).append(fitted)
         device.fit(robot, self.floats, self.ints, values)
         if issubclass(device, Actuator) and device.turns:
@@ -176,7 +171,7 @@ class Tables:
             actuators=actuator.actuators(),
             shared=shared.tables,
             team=self._team(actuator),
-            radio=radio_tables(self.radio, list(self.numbers), ints[c.PERIOD], self.seed, self.dt * 1000, shared),
+            radio=radio_tables(self.radio, list(self.numbers), ints[c.PERIOD], self.dt * 1000, shared),
             faults=Faults(self.fault_plan.with_room(), self.fault_plan.keys),
             roads=road_tables(world),
             docks=dock_tables(world, self.goals),
@@ -189,6 +184,7 @@ class Tables:
             pens=pen_tables(pens, [actuator.fitted[k].robot for k in pens], floats[c.X], floats[c.Y]),
             pushables=pushable_tables(world, self.dt),
             pushable_walls=pushable_walls(wall_tables(world, 0.0), world),
+            probes=no_probes(),
             held=[[0.0] * max(count, len(self._actuators)) for _ in range(HELD_ROWS)],
         )
         if robots.guided:
@@ -310,8 +306,6 @@ class Tables:
                     c.S_MOST: item.part.maximum,
                     c.S_PLAIN: 1 if size == 1 and noise == 0 and dropout == 0 else 0,
                     c.S_FLIPS: 1 if flips else 0,
-                    c.S_KEY_A: item.keys[0],
-                    c.S_KEY_B: item.keys[1],
                     c.S_RING: made.room,
                     c.S_SIZE: size,
                     c.S_DOCK: item.placement.dock,
@@ -341,8 +335,6 @@ class Tables:
                     c.A_DONE: 1,
                     c.A_CELL: self.machines[item.robot].layout.done.get(item.part.name, -1),
                     c.A_TAKEN: -1,
-                    c.A_KEY_A: item.keys[0],
-                    c.A_KEY_B: item.keys[1],
                     c.A_DELAY: delay,
                     c.A_QUEUE: made.room,
                     c.A_SIZE: size,

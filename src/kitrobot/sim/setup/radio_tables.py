@@ -7,7 +7,6 @@ from collections.abc import Sequence
 
 from kitrobot.mission.radio import Radio as RadioOfMission
 from kitrobot.sim.setup.shared_tables import SharedTables
-from kitrobot.sim.tables.random_numbers import keys
 from kitrobot.sim.tables.state import Grid, Radio
 from kitrobot.sim.team import radio as r
 from kitrobot.sim.team.shared_variables import APART_ROWS, APART_VALUE, APART_WRITER
@@ -40,7 +39,6 @@ def radio_tables(
     radio: RadioOfMission | None,
     names: Sequence[str],
     periods: Sequence[int],
-    seed: int,
     step_ms: float,
     shared: SharedTables,
 ) -> Radio:
@@ -50,7 +48,6 @@ def radio_tables(
         radio: of the mission; None for none.
         names: of the robots.
         periods: steps from one tick of each robot to its next.
-        seed: where chance begins.
         step_ms: a step of the run.
         shared: its rows `apart` are filled in.
     """
@@ -69,12 +66,11 @@ def radio_tables(
         rows[r.SLOTS][i] = delay // period + delay // beat + 3
         slots += rows[r.SLOTS][i]
         room += rows[r.SLOTS][i] * count
-    drawn = [keys(seed, name, "radio") for name in names]
     return Radio(
         numbers=[delay, beat, 1, 1],
         floats=[math.inf if radio.range_mm is None else radio.range_mm, radio.loss / 100],
         robots=rows,
-        keys=[[one for one, _ in drawn], [other for _, other in drawn]],
+        keys=[[0] * len(names), [0] * len(names)],
         due=[0] * slots,
         air=[[0] * room for _ in range(APART_ROWS)],
         grid=_grid(len(names)),

@@ -65,7 +65,6 @@ class Setup:
         world: World,
         images: Mapping[ImageName, CompiledProgram],
         catalogue: Catalogue,
-        seed: int,
         fail_rate: float = 0.0,
         check_only: bool = False,
         team: TeamPlan | None = None,
@@ -74,14 +73,13 @@ class Setup:
         self.world = world
         self.images = images
         self.catalogue = catalogue
-        self.seed = seed
         self.fail_rate = fail_rate
         self._check_only = check_only
         self._team = team
         self.agents: list[Agent] = []
         self.problems: list[Diagnostic] = []
         self.step_ms = 1
-        self.tables = Tables(world, 1, seed)
+        self.tables = Tables(world, 1)
         self._machines: dict[ImageName, Machine] = {}
         self._placements: dict[tuple[str, str, str], Placement] = {}
         self._checked: dict[tuple[str, str, str], tuple[type[Device] | None, Values | None]] = {}
@@ -113,7 +111,7 @@ class Setup:
         if self.problems:
             return
         self.step_ms = reduce(math.gcd, (robot.tick_ms for robot in robots.values() if robot is not None), MOST_STEP_MS)
-        self.tables = Tables(self.world, self.step_ms, self.seed)
+        self.tables = Tables(self.world, self.step_ms)
         self.tables.radio = self.mission.radio
         self.tables.numbers = {agent.name: number for number, agent in enumerate(members)}
         if self._team is not None:
@@ -144,7 +142,7 @@ class Setup:
             return
         self.tables.breakdown = self.mission.breakdown
         names = [agent.name for agent in self.agents]
-        self.tables.fault_plan = fault_plan(self.mission.failures, names, self.step_ms, self.fail_rate, self.seed)
+        self.tables.fault_plan = fault_plan(self.mission.failures, names, self.step_ms, self.fail_rate)
 
     def _fill_roles(self, team: TeamSetup) -> None:
         """Whether each role has as many robots as it needs at least."""
@@ -218,7 +216,7 @@ class Setup:
                 if self._check_only:
                     device.fit(index, tables.floats, tables.ints, values)
                 else:
-                    tables.add_device(index, number, part, device, values, placement, agent.name)
+                    tables.add_device(index, number, part, device, values, placement)
         if tables.team is not None and member.robot:
             agent.image_name = member.image_name
             place = self._place(placement, handles)
@@ -331,4 +329,4 @@ def check_mission(
         SimulationError: it cannot; its diagnostics say everything that is in the way.
     """
     with collection_paused():
-        shared_tables_of(Setup(mission, world, images, catalogue, 0, check_only=True, team=team).agents)
+        shared_tables_of(Setup(mission, world, images, catalogue, check_only=True, team=team).agents)

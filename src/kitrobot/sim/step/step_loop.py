@@ -29,6 +29,7 @@ from kitrobot.sim.step.execution import react
 from kitrobot.sim.step.failed_robots import clear_roads
 from kitrobot.sim.step.fault_injection import inject_random_faults, inject_scheduled_faults
 from kitrobot.sim.step.pens import draw
+from kitrobot.sim.step.probes import PROBES_OFF, read_probes
 from kitrobot.sim.step.sampling import sample, sample_done
 from kitrobot.sim.step.substitution import detect_silent_robots, finish_team_step
 from kitrobot.sim.tables.columns import (
@@ -64,8 +65,8 @@ def advance(state: State, steps: int) -> int:
     """Runs up to so many steps and gives how many.
 
     It runs fewer when every program has ended, when all goals hold and only robots with faults go on, when
-    nothing can change any more (STUCK), or when there is no room for what may happen in one more step. What happens is
-    written behind the EVENTS that are in `events` already.
+    nothing can change any more (STUCK), or when there is no room for what may happen in one more step, or for what is
+    probed in it. What happens is written behind the EVENTS that are in `events` already.
     """
     clock = state.clock
     fixed = state.fixed
@@ -74,6 +75,9 @@ def advance(state: State, steps: int) -> int:
     has_team = len(state.team.set_first) > 0
     by_radio = has_radio(state)
     room = len(state.events) // EVENT - fixed[MOST_EVENTS]
+    has_probes = len(state.probes.ints) > 0 and state.probes.count[0] != PROBES_OFF
+    if has_probes:
+        steps = min(steps, len(state.probes.ints) - state.probes.count[0])
     done = 0
     while done < steps and clock[EVENTS] <= room and can_continue(state) and not are_goals_reached(state):
         step = clock[TICK]
@@ -113,6 +117,8 @@ def advance(state: State, steps: int) -> int:
             mark_activity(clock)
         elif clock[RUNNING] > 0:
             detect_deadlock(state)
+        if has_probes:
+            read_probes(state)
     return done
 
 

@@ -239,6 +239,19 @@ class Pushables:
 
 
 @dataclass(frozen=True, slots=True)
+class Probes:
+    """Numbers that are read after each step, for who asks for them before the first (see `step.probes`), and room for
+    so many steps of them; `count` says of how many there are some. Empty unless somebody asks.
+    """
+
+    count: Ints
+    int_places: IntRows
+    float_places: IntRows
+    ints: IntRows
+    floats: FloatRows
+
+
+@dataclass(frozen=True, slots=True)
 class State:
     """The tables, in groups. Lists of whole numbers named after a thing hold its numbers: robots, actuators, docks."""
 
@@ -266,6 +279,7 @@ class State:
     pens: Pens
     pushables: Pushables
     pushable_walls: Walls
+    probes: Probes
     held: FloatRows
     """Of a step that may change nothing (deadlock_detection): poses and speeds of robots, numbers of devices."""
 
