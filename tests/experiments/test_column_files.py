@@ -76,6 +76,17 @@ def test_a_summary_is_that_of_the_rows_with_column_files_and_without(study):
     assert summary(study) == expected, "made anew, and read"
 
 
+def test_in_a_page_lines_are_read_without_msgspec_and_say_the_same(study, monkeypatch):
+    expected = row_by_row(study)
+    for file in study.folder.glob("*.columns"):
+        file.unlink()
+    monkeypatch.setattr(row_columns, "HAS_MSGSPEC", False)
+    assert summary(study) == expected
+    (study.folder / "rows-3-of-3.jsonl").write_bytes(b'{"row": 99999}\n')
+    with pytest.raises(ExperimentError, match="no row of its study"):
+        summary(study)
+
+
 def test_rows_that_are_added_or_taken_out_count(study):
     path = study.folder / "rows-1-of-2.jsonl"
     lines = path.read_bytes().splitlines(keepends=True)

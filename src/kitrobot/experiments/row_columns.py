@@ -12,11 +12,16 @@ from operator import attrgetter
 from pathlib import Path
 from typing import Annotated, Any
 
-import msgspec
-
 from kitrobot.experiments.column_file import ColumnFile, Columns, ColumnWriter
 from kitrobot.experiments.plan import Plan
-from kitrobot.experiments.study_folder import no_row, row_blocks, row_files
+from kitrobot.experiments.study_folder import no_row, read_row, row_blocks, row_files
+
+try:
+    import msgspec
+except ImportError:  # a page has none, and few rows
+    HAS_MSGSPEC = False
+else:
+    HAS_MSGSPEC = True
 
 WORTH_KEEPING = 8 << 20
 """Bytes of lines for which a column file is made: those of some ten thousand rows."""
@@ -92,6 +97,8 @@ def point_stretches(numbers: Sequence[int], seeds: int) -> Iterator[tuple[int, s
 
 def _reader(folder: Path, plan: Plan) -> Callable[[bytes], Columns]:
     """What makes columns of lines; it raises an ExperimentError for a line that is no row of this study."""
+    if not HAS_MSGSPEC:
+        return lambda block: _read_plainly(block, plan, folder)
     names = [f"m{at}" for at in range(len(plan.measured))]
     measured: Any = msgspec.defstruct(
         "Measured",
@@ -120,6 +127,12 @@ def _reader(folder: Path, plan: Plan) -> Callable[[bytes], Columns]:
         return Columns([row.row for row in rows], [row.outcome for row in rows], columns)
 
     return read
+
+
+def _read_plainly(block: bytes, plan: Plan, folder: Path) -> Columns:
+    rows = [read_row(line, plan, folder) for line in block.splitlines(keepends=True)]
+    measures = [[row.get("measures", {}).get(name) for row in rows] for name in plan.measured]
+    return Columns([row["row"] for row in rows], [row["outcome"] for row in rows], measures)
 
 
 def _first_refused(block: bytes, decoder: Any) -> bytes:
