@@ -39,7 +39,7 @@ export function Slider(props: ControlProps) {
   };
   const common = {
     type: "range",
-    className: "field-slider",
+    className: "slider grow",
     "aria-label": label,
     "aria-valuetext": inWords(field, value),
     onKeyDown,

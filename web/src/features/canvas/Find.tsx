@@ -9,6 +9,7 @@ import { partsOf } from "../../model/parts";
 import { useStudio } from "../../model/studio";
 import { closeFind, useView } from "../../session/view";
 import { Icon, Tile } from "../../theme";
+import { Tool } from "../../ui/Tool";
 
 /** Opens the program and selects what was found; the canvas brings it into view. */
 function jump({ program, vertex }: Hit): void {
@@ -91,15 +92,9 @@ export function Find() {
         <span className="find-count" role="status">
           {query.trim() === "" ? "" : count}
         </span>
-        <button type="button" aria-label={t("find.previous")} title={t("find.previous")} onClick={() => step(-1)}>
-          <Icon name="chevron-up" />
-        </button>
-        <button type="button" aria-label={t("find.next")} title={t("find.next")} onClick={() => step(1)}>
-          <Icon name="chevron-down" />
-        </button>
-        <button type="button" aria-label={t("graph.close")} title={t("graph.close")} onClick={close}>
-          <Icon name="x" />
-        </button>
+        <Tool small icon="chevron-up" label={t("find.previous")} onClick={() => step(-1)} />
+        <Tool small icon="chevron-down" label={t("find.next")} onClick={() => step(1)} />
+        <Tool small icon="x" label={t("graph.close")} onClick={close} />
       </div>
       {query.trim() !== "" && hits.length === 0 ? <p className="find-none">{t("find.none", { query })}</p> : null}
       <ul ref={list} id="find-list" role="listbox" aria-label={t("find.title")} hidden={hits.length === 0}>

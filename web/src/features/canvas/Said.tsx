@@ -5,6 +5,7 @@ import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { sayOnCanvas, useView } from "../../session/view";
 import { Icon } from "../../theme";
+import { Tool } from "../../ui/Tool";
 
 export function Said() {
   const said = useView((state) => state.said);
@@ -16,12 +17,10 @@ export function Said() {
     [],
   );
   return (
-    <div className="said" role="status" data-testid="said" hidden={said === ""}>
+    <div className="said surface row" role="status" data-testid="said" hidden={said === ""}>
       <Icon name="info" size={16} />
       <span>{said}</span>
-      <button type="button" aria-label={t("graph.close")} title={t("graph.close")} onClick={() => sayOnCanvas("")}>
-        <Icon name="x" size={14} />
-      </button>
+      <Tool small icon="x" label={t("graph.close")} onClick={() => sayOnCanvas("")} />
     </div>
   );
 }

@@ -50,7 +50,7 @@ function Head({ assumption, column, now }: HeadProps) {
         {failures === 0 ? t(`check.${timing}-means`) : withKinds(t("check.head-failures", { count: failures }), kinds)}
       </span>
       {column === undefined ? null : (
-        <span className="check-means check-numbers muted">
+        <span className="check-means figures muted">
           {t("check.explored", {
             states: grouped(column.states),
             seconds: decimal(Math.round(column.seconds * 10) / 10),
@@ -92,12 +92,12 @@ export function AnswerTable() {
   }, [open, table.ref]);
 
   return (
-    <div className="check-scroll rigid">
+    <div className="scroll-x rigid">
       <table
-        className="check-table small-text"
+        className="check-table data-table small-text"
         role="grid"
         aria-label={t("check.table")}
-        data-testid="check-table"
+        data-testid="check-table data-table"
         {...table}
       >
         <thead>

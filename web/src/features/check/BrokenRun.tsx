@@ -69,7 +69,7 @@ export function BrokenRun({ cell }: { cell: Cell }) {
       <WhyBroken answer={answer} open={other !== null} onOther={setShowsOther} />
       {other !== null ? (
         <>
-          <p className="check-note muted small-text">{t(other.ends_well ? "check.other-well" : "check.other-only")}</p>
+          <p className="muted small-text">{t(other.ends_well ? "check.other-well" : "check.other-only")}</p>
           <StepArena key="other" run={otherRun(other)} mission={mission} />
         </>
       ) : answer.confirmed === null ? (
@@ -142,8 +142,8 @@ function Seen({ answer }: { answer: CheckedProperty }) {
         <Button icon="play" testId="check-play" disabled={held} onClick={() => play(run)}>
           {t("check.play")}
         </Button>
-        {played ? <span className="check-note muted">{t("check.plays", { time: clock(run.seconds) })}</span> : null}
-        {held ? <span className="check-note check-warning muted">{t("check.real")}</span> : null}
+        {played ? <span className="muted">{t("check.plays", { time: clock(run.seconds) })}</span> : null}
+        {held ? <span className="warning">{t("check.real")}</span> : null}
       </p>
     </>
   );
@@ -167,7 +167,7 @@ function Story({ answer }: { answer: CheckedProperty }) {
         </div>
       ))}
       {last !== undefined && !last.repeats && last.events.length === 0 ? (
-        <p className="check-note muted">{t("check.at-once")}</p>
+        <p className="muted">{t("check.at-once")}</p>
       ) : null}
     </div>
   );
@@ -177,7 +177,7 @@ function Story({ answer }: { answer: CheckedProperty }) {
 function Events({ events, leftOut, decided }: { events: readonly CheckedEvent[]; leftOut: number; decided: number }) {
   const gap = leftOut === 0 ? -1 : events.findIndex(({ step }, index) => step - (events[index - 1]?.step ?? step) > 1);
   return (
-    <ol className="plain-list">
+    <ol>
       {events.map(({ step, text }, index) => (
         <li key={index} data-decided={step === decided || undefined}>
           {index === gap ? (

@@ -35,7 +35,7 @@ export function CheckPanel() {
       <div className="check-body" data-run={walks || answered}>
         <div className="check-answers column">
           <Refused refused={refused} />
-          {asked === null ? <p className="check-note check-what muted">{t("check.what")}</p> : <Answers />}
+          {asked === null ? <p className="check-what prose muted">{t("check.what")}</p> : <Answers />}
           <WalkEntry />
           <Properties />
         </div>
@@ -70,11 +70,11 @@ function Answers() {
   const columns = useCheck((check) => check.columns.length);
   const busy = useCheck((check) => check.busy);
   const changed = useStudio(({ mission }) => mission !== useCheck.getState().asked?.mission);
-  if (columns === 0) return busy ? <p className="check-note check-what muted">{t("check.begins")}</p> : null;
+  if (columns === 0) return busy ? <p className="check-what prose muted">{t("check.begins")}</p> : null;
   return (
     <>
       <Verdict />
-      {changed ? <p className="check-note check-warning muted">{t("check.changed")}</p> : null}
+      {changed ? <p className="check-lines warning">{t("check.changed")}</p> : null}
       <AnswerTable />
       <Limits />
     </>
@@ -134,7 +134,7 @@ function Asking() {
       <Button icon="clipboard-check" type="submit" testId="check-begin" disabled={agents === 0}>
         {asked === null ? t("check.begin") : t("check.again")}
       </Button>
-      {agents === 0 ? <span className="check-note muted">{t("check.nobody")}</span> : null}
+      {agents === 0 ? <span className="muted">{t("check.nobody")}</span> : null}
     </form>
   );
 }
@@ -144,7 +144,7 @@ function Progress() {
   const stopping = useCheck((check) => check.stopping);
   return (
     <div className="check-asking row wrap small-text" data-testid="check-progress">
-      <span className="check-count">{progress === null ? t("check.preparing") : said(progress)}</span>
+      <span className="check-count figures">{progress === null ? t("check.preparing") : said(progress)}</span>
       <Button icon="square" testId="check-stop" disabled={stopping} onClick={breakOff}>
         {t("check.stop")}
       </Button>

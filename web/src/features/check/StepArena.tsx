@@ -91,14 +91,14 @@ export function StepArena({ run, mission, decided = -1 }: Props) {
             onClick={() => go(moment)}
           />
         )}
-        <span className="check-count" role="status">
+        <span className="check-count figures" role="status">
           {scene.step === 0
             ? t("check.step-first")
             : t("check.step-of", { step: grouped(scene.step), steps: grouped(run.steps) })}
           {repeats ? <Icon name="infinity" size={14} label={t("check.repeats")} /> : null}
         </span>
       </div>
-      <p className="check-note check-step-said muted small-text">
+      <p className="check-step-said muted small-text">
         {said.map(({ text }, index) => (
           <span key={index}>
             <Said text={text} />{" "}

@@ -117,7 +117,7 @@ function State({ state, mission }: { state: StateWalk; mission: Mission }) {
           <Steps steps={failures} />
         </details>
       )}
-      {more === 0 ? null : <p className="check-note muted small-text">{t("walk.more", { count: more })}</p>}
+      {more === 0 ? null : <p className="muted small-text">{t("walk.more", { count: more })}</p>}
       {shared.length === 0 ? null : <p className="walk-shared muted small-text">{shared.join(" · ")}</p>}
     </>
   );
@@ -127,7 +127,7 @@ function State({ state, mission }: { state: StateWalk; mission: Mission }) {
 function Steps({ steps }: { steps: readonly PossibleStep[] }) {
   const busy = useStateWalk((walk) => walk.busy);
   return (
-    <ol className="plain-list walk-steps">
+    <ol className="walk-steps">
       {steps.map(({ place, sentences, breaks, returns_to: returns }, index) => (
         <li key={index}>
           <Button

@@ -47,7 +47,7 @@ export function WhyBroken({ answer, open, onOther }: Props) {
         )}
       </p>
       {leftOut === 0 ? null : (
-        <p className="check-note muted small-text">{t("check.not-needed", { count: leftOut })}</p>
+        <p className="muted small-text">{t("check.not-needed", { count: leftOut })}</p>
       )}
     </section>
   );

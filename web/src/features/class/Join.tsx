@@ -161,7 +161,7 @@ export function Join() {
             </Field>
           </div>
         )}
-        <p className="join-failure" role="alert" data-testid="join-failure">
+        <p className="join-failure notice" role="alert" data-testid="join-failure">
           {failure === null ? null : (
             <>
               <Said text={failure.message} /> <Said text={failure.help} />

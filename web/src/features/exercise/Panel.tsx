@@ -124,7 +124,7 @@ export function ExercisePanel() {
           <span dir="auto">{t("exercise.comment", { text: comment })}</span>
         </p>
       )}
-      <ol className="exercise-goals plain-list">
+      <ol className="exercise-goals">
         {shown.goals.map((goal, at) => (
           <Goal key={at} at={at} label={text(goal.label)} mark={marks[at] ?? OPEN} />
         ))}

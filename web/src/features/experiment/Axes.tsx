@@ -16,8 +16,8 @@ export function Axes({ choices }: { choices: ExperimentChoices }) {
   return (
     <fieldset className="experiment-axes">
       <legend className="muted small-text">{t("experiment.varies")}</legend>
-      {axes.length === 0 ? <p className="experiment-note muted">{t("experiment.nothing-varies")}</p> : null}
-      <ul className="plain-list column">
+      {axes.length === 0 ? <p className="prose muted">{t("experiment.nothing-varies")}</p> : null}
+      <ul className="column">
         {axes.map((axis) => (
           <Axis key={axis.address} axis={axis} choices={choices} />
         ))}

@@ -41,12 +41,12 @@ export function ExperimentPanel() {
   const results = (
     <div key="results" className="experiment-results column">
       <Refused refused={refused} />
-      {study === null ? <p className="experiment-note muted">{t("experiment.empty")}</p> : <Results study={study} />}
+      {study === null ? <p className="prose muted">{t("experiment.empty")}</p> : <Results study={study} />}
     </div>
   );
   return (
     <DockPanel id="experiment-panel" testId="experiment" title={t("experiment.title")} close={t("experiment.close")}>
-      <div className="experiment-body" ref={box} data-narrow={isNarrow}>
+      <div className="experiment-body dock-body" ref={box} data-narrow={isNarrow}>
         {/* One below the other, what came of a study is above what is chosen for the next one. */}
         {isNarrow && study !== null ? [results, setup] : [setup, results]}
       </div>

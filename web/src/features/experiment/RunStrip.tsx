@@ -66,7 +66,7 @@ export function RunStrip({ study, measure }: { study: Study; measure: number }) 
   const words = pointWords(study, point);
   return (
     <section className="experiment-runs column" aria-label={t("experiment.runs")}>
-      <p className="experiment-note">
+      <p className="prose">
         <strong>{t("experiment.runs")}</strong> {words === "" ? null : <bdi dir="ltr">{words}</bdi>}{" "}
         <span className="muted small-text">{t(handKey("experiment.how"))}</span>
       </p>

@@ -11,11 +11,11 @@ import { text } from "../../model/texts";
 import type { Spot } from "../../model/tree";
 import { wordsOf } from "../../model/words";
 import type { Drawing } from "../../session/drawing";
-import { Icon } from "../../theme";
 import { FieldRow } from "../../components/fields/FieldRow";
 import { VaryButton } from "./VaryButton";
 import { addressOf } from "../../session/varied";
 import { Row } from "../../ui/Row";
+import { Tool } from "../../ui/Tool";
 
 /** Runs a command and leaves the selection where it is. */
 function runHere(command: Command | null): void {
@@ -84,17 +84,12 @@ function ValueRow({ drawing, block, field }: { drawing: Drawing; block: Block; f
     <div className="inspector-row row">
       <span className="inspector-label rigid">{text(field.label, field.name)}</span>
       <span className="inspector-plugged muted">{t("inspector.from-value", { what: wordsOf(filler) })}</span>
-      <button
-        type="button"
-        className="inspector-small"
-        aria-label={t("inspector.type-instead")}
-        title={t("inspector.type-instead")}
-        onClick={() => {
-          runHere(deleteParts(program, parts, [filler.vertex.id]));
-        }}
-      >
-        <Icon name="x" />
-      </button>
+      <Tool
+        small
+        icon="x"
+        label={t("inspector.type-instead")}
+        onClick={() => runHere(deleteParts(program, parts, [filler.vertex.id]))}
+      />
     </div>
   );
 }

@@ -4,7 +4,7 @@ import { addBranch, removeBranch } from "../../model/commands/changeBranches";
 import type { Block } from "../../model/structure";
 import { useStudio } from "../../model/studio";
 import { useDrawing } from "../../session/drawing";
-import { Icon } from "../../theme";
+import { Tool } from "../../ui/Tool";
 
 export function Branches({ block }: { block: Block }) {
   const drawing = useDrawing();
@@ -20,32 +20,26 @@ export function Branches({ block }: { block: Block }) {
   return (
     <div className="inspector-row row" role="group" aria-label={t("inspector.branches")}>
       <span className="inspector-label rigid">{t("inspector.branches")}</span>
-      <span className="inspector-space" />
+      <span className="grow" />
       <span className="inspector-count row">
-        <button
-          type="button"
-          aria-label={t("inspector.remove-branch")}
-          title={t("inspector.remove-branch")}
+        <Tool
+          icon="minus"
+          label={t("inspector.remove-branch")}
           disabled={less === null}
           onClick={() => {
             if (less !== null) execute(less);
           }}
-        >
-          <Icon name="minus" />
-        </button>
+        />
         <output>{bodies.length}</output>
-        <button
-          type="button"
-          data-testid="add-branch"
-          aria-label={t("inspector.add-branch")}
-          title={t("inspector.add-branch")}
+        <Tool
+          icon="plus"
+          testId="add-branch"
+          label={t("inspector.add-branch")}
           onClick={() => {
             const more = addBranch(program, parts, id);
             if (more !== null) execute(more);
           }}
-        >
-          <Icon name="plus" />
-        </button>
+        />
       </span>
     </div>
   );

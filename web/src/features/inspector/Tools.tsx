@@ -6,8 +6,8 @@ import { Tool } from "../../ui/Tool";
 export function Tools() {
   return (
     <span className="inspector-tools muted">
-      <Tool icon="copy" label={t("inspector.duplicate")} onClick={duplicateSelection} />
-      <Tool icon="trash-2" label={t("inspector.delete")} onClick={deleteSelection} />
+      <Tool small icon="copy" label={t("inspector.duplicate")} onClick={duplicateSelection} />
+      <Tool small icon="trash-2" label={t("inspector.delete")} onClick={deleteSelection} />
     </span>
   );
 }

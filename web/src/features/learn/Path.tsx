@@ -25,7 +25,7 @@ function Card({ lesson, learned, next, brief, onKeyDown }: CardProps) {
   return (
     <button
       type="button"
-      className="learn-card surface column"
+      className="learn-card card surface column"
       data-testid={`${lesson.kind}-${brief ? "offer" : "card"}-${lesson.name}`}
       data-learned={learned}
       aria-current={next ? "step" : undefined}
@@ -36,19 +36,19 @@ function Card({ lesson, learned, next, brief, onKeyDown }: CardProps) {
       onFocus={() => setNear(true)}
       onBlur={() => setNear(false)}
     >
-      <MissionPicture className="learn-picture" path={lesson.start} plays={near}>
+      <MissionPicture className="learn-picture card-picture" path={lesson.start} plays={near}>
         <span className="learn-icon">
           <Icon name={lesson.icon} size={brief ? 22 : 26} />
         </span>
       </MissionPicture>
       {learned ? (
-        <span className="learn-tick">
+        <span className="learn-tick card-tick">
           <Icon name="check" size={16} label={t("learn.learned")} />
         </span>
       ) : null}
       <strong>{text(lesson.label)}</strong>
       {brief ? null : <span className="learn-help muted small-text">{text(lesson.help)}</span>}
-      <small className="muted">
+      <small>
         {t(`learn.${lesson.kind}`)} · {lesson.far()}
       </small>
     </button>
@@ -59,8 +59,8 @@ function Card({ lesson, learned, next, brief, onKeyDown }: CardProps) {
 function Broken({ lesson: { kind, name, problems } }: { lesson: Lesson }) {
   const [first] = problems;
   return (
-    <div className="learn-card is-broken surface column" data-testid={`${kind}-card-${name}`}>
-      <span className="learn-picture">
+    <div className="learn-card is-broken card surface column" data-testid={`${kind}-card-${name}`}>
+      <span className="learn-picture card-picture">
         <span className="learn-icon">
           <Icon name="triangle-alert" size={26} />
         </span>
@@ -119,7 +119,7 @@ export function Path({ lessons, brief = false }: PathProps) {
     cards[to]?.focus();
   };
   return (
-    <ol className="learn-path plain-list" ref={room}>
+    <ol className="learn-path" ref={room}>
       {lessons.map((lesson) => (
         <li key={lesson.name}>
           {lesson.usable ? (

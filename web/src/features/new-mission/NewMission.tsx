@@ -88,7 +88,7 @@ interface CardProps {
 
 function Card({ row, value, label, help, chosen, reason = "", choose, children }: CardProps) {
   return (
-    <label className="new-card surface column" data-chosen={chosen} data-off={reason !== ""}>
+    <label className="new-card card surface column" data-chosen={chosen} data-off={reason !== ""}>
       <input
         type="radio"
         className="only-spoken"
@@ -99,11 +99,11 @@ function Card({ row, value, label, help, chosen, reason = "", choose, children }
         data-testid={`new-${row}-${value}`}
         onChange={choose}
       />
-      <span className="new-picture">{children}</span>
+      <span className="new-picture card-picture">{children}</span>
       <strong>{label}</strong>
       <small>{reason || firstSentence(help)}</small>
       {chosen ? (
-        <span className="new-tick">
+        <span className="new-tick card-tick">
           <Icon name="check" size={14} />
         </span>
       ) : null}
@@ -130,7 +130,7 @@ function Abilities({ title, all }: { title: string; all: readonly Ability[] }) {
   return (
     <section className="new-abilities">
       <h3>{title}</h3>
-      <ul className="plain-list">
+      <ul>
         {all.map(({ icon, label }) => (
           <li key={label[""]}>
             <Icon name={icon} size={16} />

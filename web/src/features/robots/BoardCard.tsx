@@ -110,9 +110,9 @@ function Fault({ board }: { board: Board }) {
   if (fault === null) return null;
   const place = fault.line > 0 ? t("boards.fault-line", { line: fault.line }) : "";
   return (
-    <div className="robot-trouble" role="alert" data-testid="robot-fault">
+    <div className="robot-trouble notice" role="alert" data-testid="robot-fault">
       <Icon name="octagon-x" size={16} />
-      <p>
+      <p className="grow">
         <strong>
           {t("boards.fault", { number: fault.number })} <Said text={fault.sentence} />
         </strong>
@@ -296,7 +296,7 @@ export function BoardCard({ place }: { place: Place }) {
             {address}
           </span>
         )}
-        <span className="robots-space" />
+        <span className="grow" />
         {open && mine ? (
           <SmallTool
             icon="lightbulb"

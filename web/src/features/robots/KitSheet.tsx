@@ -128,7 +128,7 @@ function Question({ address }: { address: string }) {
           <li key={kit}>
             <button
               type="button"
-              className="kit-card column"
+              className="kit-card card surface column"
               data-testid="kit-card"
               data-kit={kit}
               aria-pressed={kit === chosen}
@@ -136,7 +136,7 @@ function Question({ address }: { address: string }) {
               onClick={() => chooseKit(address, kit)}
               onKeyDown={move}
             >
-              <span className="kit-picture">{picture}</span>
+              <span className="kit-picture card-picture centred">{picture}</span>
               <strong>{label}</strong>
               <Fit fit={fit} />
             </button>

@@ -44,8 +44,8 @@ function Barred() {
   const barred = useBoards((state) => state.barred);
   if (barred === null) return null;
   return (
-    <div className="robots-barred" role="alert" data-testid="robots-barred">
-      <p>
+    <div className="robot-trouble notice" role="alert" data-testid="robots-barred">
+      <p className="grow">
         <strong>
           <Said text={barred.message} />
         </strong>{" "}
@@ -171,7 +171,7 @@ export function Robots() {
     <section className="robots" data-testid="robots" aria-label={t("boards.title")}>
       <header className="robots-head row rigid">
         <h2 className="panel-title">{t("boards.title")}</h2>
-        <span className="robots-space" />
+        <span className="grow" />
         <Together />
         <Tool small icon="x" label={t("boards.close")} testId="robots-close" onClick={() => showRobots(false)} />
       </header>

@@ -172,7 +172,7 @@ export function TeamPart() {
       <Status team={team} other={other} />
       <Acts team={team} boards={boards} ready={you !== "" && !tooMany} />
       {tooMany ? null : (
-        <ul className="crew-list plain-list">
+        <ul className="crew-list">
           {agents.map(({ name }) => (
             <Member key={name} name={name} disabled={isBusy(team)} />
           ))}

@@ -57,9 +57,9 @@ export function TroubleBox({
   children?: ReactNode;
 }) {
   return (
-    <div className="robot-trouble" role="alert" data-testid={testId}>
+    <div className="robot-trouble notice" role="alert" data-testid={testId}>
       <Icon name="triangle-alert" size={16} />
-      <p>
+      <p className="grow">
         <strong>
           <Said text={said.message} />
         </strong>{" "}

@@ -77,17 +77,17 @@ export function SweepMap({ swept }: { swept: Swept }) {
 
   return (
     <div className="sweep-found column">
-      <p className="sweep-note muted">
+      <p className="prose muted">
         {t("sweep.baseline")} <Said text={map.sentence} />
       </p>
-      {changed ? <p className="sweep-note sweep-warning muted">{t("sweep.changed")}</p> : null}
-      {held ? <p className="sweep-note sweep-warning muted">{t("sweep.real")}</p> : null}
+      {changed ? <p className="prose warning">{t("sweep.changed")}</p> : null}
+      {held ? <p className="prose warning">{t("sweep.real")}</p> : null}
       {counts.none > 0 ? (
-        <p className="sweep-note sweep-warning muted">
+        <p className="prose warning">
           {t("sweep.cut", { done: grouped(map.fields.length), total: grouped(map.total) })}
         </p>
       ) : null}
-      <ul className="sweep-legend plain-list wrap" data-testid="sweep-legend">
+      <ul className="sweep-legend wrap" data-testid="sweep-legend">
         {ENDINGS.filter((ending) => ending === "done" || counts[ending] > 0).map((ending) => (
           <li key={ending} data-testid={`sweep-count-${ending}`}>
             <span className="sweep-field" data-ending={ending} aria-hidden="true">
@@ -98,10 +98,10 @@ export function SweepMap({ swept }: { swept: Swept }) {
         ))}
         {counts.done === map.total ? <li className="sweep-all bold">{t("sweep.all-done")}</li> : null}
       </ul>
-      <p className="sweep-note muted" id="sweep-how">
+      <p className="prose muted" id="sweep-how">
         {t(handKey("sweep.how"))}
       </p>
-      <div className="sweep-scroll">
+      <div className="scroll-x">
         <table
           className="sweep-map small-text"
           role="grid"

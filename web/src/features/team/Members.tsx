@@ -23,7 +23,7 @@ function Moment({ tick }: { tick: number }) {
   return (
     <button
       type="button"
-      className="members-moment finger"
+      className="moment finger"
       disabled={!goes}
       title={t("members.go", { time })}
       onClick={() => useRun.getState().seek(tick)}
@@ -43,7 +43,7 @@ export function Members() {
   const waits = team.meetings.filter((one) => one.missing.length > 0);
   return (
     <DockPanel id={MEMBERS} testId="members" title={t("members.title")} close={t("members.close")}>
-      <div className="members-columns wrap">
+      <div className="members-columns dock-body wrap">
         <table className="members-table" data-testid="members-table">
           <thead>
             <tr>
@@ -60,7 +60,7 @@ export function Members() {
               const state = agents.find((one) => one.name === name)?.state ?? "idle";
               return (
                 <tr key={name} data-testid={`member-row-${name}`}>
-                  <th scope="row">
+                  <th scope="row" className="bold">
                     <StateShape state={state} /> <bdi>{name}</bdi>
                   </th>
                   <td>
@@ -92,7 +92,7 @@ export function Members() {
             <p className="muted">{t("members.unchanged")}</p>
           ) : (
             <ol
-              className="members-changes plain-list column"
+              className="members-changes column"
               aria-label={t("members.changes")}
               data-testid="members-changes"
             >

@@ -37,7 +37,7 @@ interface StepProps {
 function Steps({ tutorial, done, page }: StepProps) {
   const { at, skipped } = useTutorial((state) => state.progress);
   return (
-    <ol className="tutorial-steps plain-list wrap" aria-label={t("tutorial.steps")}>
+    <ol className="tutorial-steps wrap" aria-label={t("tutorial.steps")}>
       {done.map((is, step) => {
         const state = is ? "done" : skipped.includes(step) ? "skipped" : "open";
         const words = { number: step + 1, name: nameOf(tutorial, step, page) };

@@ -33,7 +33,7 @@ export function Templates({ done }: { done: () => void }) {
         <Tool small icon="x" label={t("world.templates-close")} testId="world-templates-close" onClick={done} />
       </header>
       <p className="muted small-text">{t("world.templates-help")}</p>
-      <ul className="plain-list">
+      <ul>
         {templates.map(({ name, world }) => (
           <li key={name}>
             <button

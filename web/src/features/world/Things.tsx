@@ -55,7 +55,7 @@ export function Things({ world }: { world: OwnWorld }) {
     <section className="world-things" aria-labelledby="world-things">
       <h2 id="world-things">{t("world.things-title")}</h2>
       <ul
-        className="plain-list"
+       
         role="tree"
         aria-labelledby="world-things"
         aria-multiselectable="true"

@@ -38,7 +38,7 @@ const Card = memo(function Card({ seen, goals, now, chosen, tab }: CardProps) {
   return (
     <button
       type="button"
-      className="class-card surface column"
+      className="class-card card surface column"
       data-card={pupil.folder}
       data-testid={`card-${pupil.folder}`}
       data-state={pupil.state}
@@ -49,11 +49,11 @@ const Card = memo(function Card({ seen, goals, now, chosen, tab }: CardProps) {
       data-frozen={pupil.frozen}
       onClick={() => look(chosen ? "" : pupil.folder)}
     >
-      <span className="class-picture" aria-hidden="true">
+      <span className="class-picture card-picture" aria-hidden="true">
         {picture === null ? null : <GraphPicture program={picture} />}
       </span>
       <span className="class-name row small-text rigid">
-        <strong dir="auto">{pupil.name}</strong>
+        <strong className="ellipsis" dir="auto">{pupil.name}</strong>
         {pupil.frozen ? (
           <>
             <Icon name="snowflake" size={14} />
@@ -64,12 +64,12 @@ const Card = memo(function Card({ seen, goals, now, chosen, tab }: CardProps) {
       </span>
       <span className="class-state row small-text rigid muted">
         <Icon name={icon} size={14} />
-        <span>{words}</span>
+        <span className="ellipsis">{words}</span>
       </span>
       <span className="class-goals row small-text rigid">
         <Boxes goals={pupil.goals} count={goals} />
         {goals === 0 ? (
-          <small dir="auto">{pupil.file}</small>
+          <small className="ellipsis" dir="auto">{pupil.file}</small>
         ) : (
           <>
             <small dir="ltr" aria-hidden="true">{`${String(met(pupil))}/${String(goals)}`}</small>

@@ -36,7 +36,7 @@ function GroupCard({ group, at }: { group: TeamGroup; at: number }) {
         ))}
         <span className="chip-place finger row small-text muted">{t("roster.drop")}</span>
       </div>
-      <fieldset className="card-policy column small-text">
+      <fieldset className="roster-card-policy column small-text">
         <legend>{t("roster.failure")}</legend>
         {POLICIES.map((policy) => (
           <Checkbox

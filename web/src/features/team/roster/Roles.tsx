@@ -48,7 +48,7 @@ function RoleCard({ role, at, players }: { role: Role; at: number; players: read
             missing={t("roster.no-robot", { robot: role.robot })}
             keep={(robot) => change({ robot })}
           />
-          <div className="card-counts">
+          <div className="roster-card-counts">
             <Count
               label={t("roster.least")}
               testId={`least-${name}`}
@@ -114,7 +114,7 @@ export function Spare() {
   const others = mission.agents.filter((one) => !isOfTeam(mission, one));
   const row = (agents: typeof others, title: string, help: string) => (
     <>
-      <div className="card-head row">
+      <div className="roster-card-head row">
         <strong>{title}</strong>
         <small>{help}</small>
       </div>
@@ -130,7 +130,7 @@ export function Spare() {
   );
   return (
     <div
-      className="card card-spare surface column"
+      className="roster-card roster-card-spare surface column"
       data-testid="card-spare"
       data-goal="spare"
       data-name=""
@@ -139,7 +139,7 @@ export function Spare() {
       {row(spare, t("roster.spare"), t("roster.spare-help"))}
       {others.length === 0 ? null : row(others, t("roster.others"), t("roster.others-help"))}
       {over && why !== "" ? (
-        <p className="card-why small-text" role="status">
+        <p className="roster-card-why small-text" role="status">
           {why}
         </p>
       ) : null}

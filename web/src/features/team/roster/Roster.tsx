@@ -36,7 +36,7 @@ function Section({ what, title, none, empty, add, can, children }: SectionProps)
       const card = list.current?.querySelector<HTMLElement>(`[data-testid="card-${CSS.escape(name)}"]`);
       card?.querySelector<HTMLElement>('[aria-expanded="false"].tool')?.click();
       requestAnimationFrame(() => {
-        const field = card?.querySelector<HTMLInputElement>(".card-name input");
+        const field = card?.querySelector<HTMLInputElement>(".roster-card-name input");
         field?.focus();
         field?.select();
         card?.scrollIntoView({ block: "nearest" });
@@ -59,7 +59,7 @@ function Section({ what, title, none, empty, add, can, children }: SectionProps)
         />
       </header>
       {empty ? <p className="roster-none muted small-text">{none}</p> : null}
-      <ul className="plain-list column" ref={list}>
+      <ul className="column" ref={list}>
         {children}
       </ul>
     </section>

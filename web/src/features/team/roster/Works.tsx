@@ -25,7 +25,7 @@ function WorkCard({ work, at }: { work: Work; at: number }) {
           : t("roster.lease-said", { units: String(units), lease: String(lease) })
       }
       fields={
-        <div className="card-counts">
+        <div className="roster-card-counts">
           <Count
             label={t("roster.units")}
             testId={`units-${name}`}

@@ -44,7 +44,7 @@ function Trouble({ name }: { name: string }) {
   const one = found ?? elsewhere;
   if (one === undefined) return null;
   return (
-    <p className="card-trouble small-text" role="status" data-testid={`trouble-${name}`}>
+    <p className="roster-card-trouble small-text" role="status" data-testid={`trouble-${name}`}>
       <Icon name={one.severity === "error" ? "octagon-x" : "triangle-alert"} size={14} />{" "}
       <span>
         <Said text={sentence(one.message)} />
@@ -72,12 +72,12 @@ export function Card({ name, note, icon, work = false, goal, fields, children }:
   const place = goal === undefined ? {} : { "data-goal": goal.kind, "data-name": goal.name };
   return (
     <li
-      className="card surface column"
+      className="roster-card surface column"
       data-testid={`card-${name}`}
       data-over={over ? (why === "" ? "takes" : "refuses") : undefined}
       {...place}
     >
-      <div className="card-head row">
+      <div className="roster-card-head row">
         <Icon name={icon} size={16} />
         <strong dir="auto" title={name}>
           {name}
@@ -94,8 +94,8 @@ export function Card({ name, note, icon, work = false, goal, fields, children }:
         />
       </div>
       {open ? (
-        <div className="card-fields column">
-          <div className="card-name">
+        <div className="roster-card-fields column">
+          <div className="roster-card-name">
             <NameCell
               name={name}
               label={t("roster.name", { name })}
@@ -119,7 +119,7 @@ export function Card({ name, note, icon, work = false, goal, fields, children }:
       ) : null}
       {children}
       {over && why !== "" ? (
-        <p className="card-why small-text" role="status" data-testid="drop-why">
+        <p className="roster-card-why small-text" role="status" data-testid="drop-why">
           {why}
         </p>
       ) : null}
@@ -131,7 +131,7 @@ export function Card({ name, note, icon, work = false, goal, fields, children }:
 /** A whole number of a declaration. */
 export function Count({ label, title, ...number }: ComponentProps<typeof NumberInput> & { title?: string }) {
   return (
-    <label className="card-count column muted" title={title}>
+    <label className="roster-card-count column muted" title={title}>
       {label}
       <NumberInput {...number} whole />
     </label>
