@@ -128,7 +128,7 @@ function Side() {
     return { flex: `0 1 ${size === 0 ? "auto" : `${String(size)}px`}` };
   };
   return (
-    <div className="side" data-beside={beside} style={beside ? {} : { width: sizes.side }}>
+    <div className="side column rigid slim" data-beside={beside} style={beside ? {} : { width: sizes.side }}>
       {folded.inspector ? null : (
         <section className="side-part side-inspector column" style={flex("inspector")} aria-label={t("view.inspector")}>
           <PanelSlot place="inspector" />
@@ -193,7 +193,7 @@ function Studio() {
         for (const { takeFiles } of FEATURES) takeFiles?.(files);
       }}
     >
-      <header className="head">
+      <header className="head rigid">
         <div className="head-menu row">
           <Brand />
           <MenuBar menus={menus} />
@@ -206,19 +206,19 @@ function Studio() {
       <Slot name="banner" />
       <div className="middle" inert={covered}>
         {folded.palette ? null : (
-          <nav className="parts-frame rigid" aria-label={t("app.parts")}>
+          <nav className="parts-frame rigid flex slim" aria-label={t("app.parts")}>
             <div className="parts" style={{ width: sizes.palette }}>
               {ready ? <PanelSlot place="palette" /> : null}
             </div>
             <Separator edge="palette" label={t("view.palette")} along="x" />
           </nav>
         )}
-        <main className="centre column" aria-label={t("app.canvas")}>
-          {ready ? <Tabs /> : <div className="tabs" />}
+        <main className="centre column grow" aria-label={t("app.canvas")}>
+          {ready ? <Tabs /> : <div className="tabs rigid flex" />}
           <Slot name="above" />
-          <div className="centre-panel">
+          <div className="fill relative">
             <div
-              className="canvas-panel"
+              className="canvas-panel cover"
               id="canvas-panel"
               role="tabpanel"
               aria-label={t("app.canvas")}
@@ -232,7 +232,7 @@ function Studio() {
           <Dock />
         </main>
         {side ? (
-          <aside className="side-frame rigid" aria-label={t("app.side")}>
+          <aside className="side-frame rigid flex slim" aria-label={t("app.side")}>
             <Separator edge="side" label={t("app.side")} along="x" sense={-1} />
             <Side />
           </aside>

@@ -44,10 +44,10 @@ export function Choices({ field, value, label, set, leave, onFocus, testid, focu
     group.current?.querySelector<HTMLElement>(`[data-value="${String(next.value)}"]`)?.focus();
   };
   return (
-    <span className="field-choices" data-look={look}>
+    <span className="field-choices flex gap-xl" data-look={look}>
       <span
         ref={group}
-        className="choices"
+        className="choices wrap flex gap-s"
         role="radiogroup"
         aria-label={label}
         data-testid={testid}
@@ -71,7 +71,7 @@ export function Choices({ field, value, label, set, leave, onFocus, testid, focu
               onClick={() => set(one.value)}
             >
               {look === "colour" ? (
-                <span className="choice-patch" style={{ background: one.colour }}>
+                <span className="choice-patch centred" style={{ background: one.colour }}>
                   {one === chosen ? <Icon name="check" size={16} /> : null}
                 </span>
               ) : one.icon || one.lights ? (

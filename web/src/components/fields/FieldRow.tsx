@@ -139,7 +139,7 @@ function NumberRow(props: FieldProps) {
 
   const control = { field, value: shown, label, set: put, leave, onFocus };
   const box = (
-    <span className={wrong ? "field-number row rigid is-wrong" : "field-number row rigid"}>
+    <span className={wrong ? "field-number row rigid is-wrong to-end gap-s" : "field-number row rigid to-end gap-s"}>
       <input
         ref={input}
         id={id}
@@ -323,7 +323,7 @@ function TextRow(props: FieldProps) {
       <input
         ref={input}
         type="text"
-        className="field-text"
+        className="field-text grow"
         data-inspector-field=""
         data-testid={`field-${vertex.id}.${field.name}`}
         value={vertex.settings[field.name] ?? ""}

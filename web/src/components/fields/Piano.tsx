@@ -60,7 +60,7 @@ export function Piano({ field, value, label, set, leave, onFocus }: ControlProps
   };
   const middle = octave === 4 ? t("fields.middle-octave") : t("fields.octave", { number: octave });
   return (
-    <span className="field-piano column">
+    <span className="field-piano column gap-m">
       <span ref={keys} className="piano" role="radiogroup" aria-label={label} onKeyDown={onKeyDown} onFocus={onFocus}>
         {KEYS.map((key) => (
           <button
@@ -79,7 +79,7 @@ export function Piano({ field, value, label, set, leave, onFocus }: ControlProps
           </button>
         ))}
       </span>
-      <span className="piano-row row">
+      <span className="piano-row row gap-s">
         <button
           type="button"
           aria-label={t("fields.lower")}

@@ -76,7 +76,7 @@ export function Ruler({
         ))}
         <span className="ruler-handle" style={{ insetInlineStart: share(value) }} />
       </span>
-      <span className="field-marks muted" aria-hidden="true">
+      <span className="field-marks muted flex between nowrap tiny-text" aria-hidden="true">
         <span>{decimal(min * field.scale)}</span>
         <span>{decimal(((min + max) / 2) * field.scale)}</span>
         <span>{withUnit(decimal(max * field.scale), field)}</span>

@@ -74,7 +74,7 @@ export function Slider(props: ControlProps) {
           set(numberOfTime(event.target.valueAsNumber / FINE, field));
         }}
       />
-      <span className="field-marks muted" id={marks} aria-hidden="true">
+      <span className="field-marks muted flex between nowrap tiny-text" id={marks} aria-hidden="true">
         {MARKS.map((mark) => (
           <span key={mark}>{mark === MARKS.at(-1) ? withUnit(String(mark), field) : mark}</span>
         ))}

@@ -65,7 +65,7 @@ function Heading({ scene, painter, stage }: HeadingProps) {
       {world === undefined || !seed ? null : <Seed />}
       {large && stage !== null ? <stage.Switches /> : null}
       {large || scene === null || scene.running || isDesk(scene) ? null : <Additions />}
-      <span className="side-tools">
+      <span className="side-tools flex to-end">
         {large ? null : (
           <Tool
             small
@@ -117,7 +117,7 @@ const ADDED = ["wall", "ball", "start"] as const;
 
 function Additions() {
   return (
-    <span className="side-tools side-additions">
+    <span className="side-tools side-additions flex to-end">
       {ADDED.map((kind) => (
         <Tool
           key={kind}
@@ -253,10 +253,10 @@ export function Arena() {
   };
 
   return (
-    <div className="arena" data-testid="arena">
+    <div className="arena column" data-testid="arena">
       <Heading scene={scene} painter={painter} stage={stage} />
       {scene !== null && scene.actors.length >= CROWD ? <Crowd scene={scene} /> : null}
-      <div className="arena-frame" ref={frame}>
+      <div className="arena-frame fill" ref={frame}>
         <canvas
           ref={canvas}
           role="application"
@@ -281,7 +281,7 @@ export function Arena() {
         )}
       </div>
       {stage === null || painter === null ? null : (
-        <div className="stage-ending-place">
+        <div className="rigid relative">
           <stage.Ending painter={painter} />
         </div>
       )}

@@ -73,7 +73,7 @@ export function AddPopup({ adding, drawing }: { adding: Adding; drawing: Drawing
 
   return (
     <div
-      className="adding"
+      className="adding surface column"
       role="dialog"
       aria-label={label}
       style={
@@ -97,7 +97,7 @@ export function AddPopup({ adding, drawing }: { adding: Adding; drawing: Drawing
         event.stopPropagation();
       }}
     >
-      <label className="adding-find">
+      <label className="adding-find row rigid muted">
         <Icon name="search" size={16} />
         <input
           ref={input}
@@ -116,7 +116,7 @@ export function AddPopup({ adding, drawing }: { adding: Adding; drawing: Drawing
           }}
         />
       </label>
-      {shapes.length === 0 ? <p className="adding-none">{t("add.none")}</p> : null}
+      {shapes.length === 0 ? <p className="adding-none muted">{t("add.none")}</p> : null}
       {last < 0 ? null : (
         <ul ref={list} id="adding-list" role="listbox" aria-label={label}>
           {shapes.map((shape, index) => (

@@ -28,7 +28,7 @@ export function EmptyTeaching({ drawing }: { drawing: Drawing }) {
     <section className="teaching">
       <h2>{t("graph.first-step")}</h2>
       <p>{t(handKey("graph.first-help"))}</p>
-      <ul className="teaching-parts">
+      <ul className="teaching-parts gap-2xl">
         {firstParts(drawing.parts).map((shape) => (
           <li key={shape.element}>
             <button

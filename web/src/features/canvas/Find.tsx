@@ -57,7 +57,7 @@ export function Find() {
 
   return (
     <div
-      className="find"
+      className="find surface"
       role="search"
       aria-label={t("find.title")}
       data-testid="find"
@@ -71,7 +71,7 @@ export function Find() {
         event.stopPropagation();
       }}
     >
-      <div className="find-row">
+      <div className="find-row row muted gap-xs">
         <Icon name="search" size={16} />
         <input
           ref={input}
@@ -89,14 +89,14 @@ export function Find() {
             setAt(-1);
           }}
         />
-        <span className="find-count" role="status">
+        <span className="small-text nowrap figures" role="status">
           {query.trim() === "" ? "" : count}
         </span>
         <Tool small icon="chevron-up" label={t("find.previous")} onClick={() => step(-1)} />
         <Tool small icon="chevron-down" label={t("find.next")} onClick={() => step(1)} />
         <Tool small icon="x" label={t("graph.close")} onClick={close} />
       </div>
-      {query.trim() !== "" && hits.length === 0 ? <p className="find-none">{t("find.none", { query })}</p> : null}
+      {query.trim() !== "" && hits.length === 0 ? <p className="find-none muted">{t("find.none", { query })}</p> : null}
       <ul ref={list} id="find-list" role="listbox" aria-label={t("find.title")} hidden={hits.length === 0}>
         {hits.map((hit, index) => (
           <li
@@ -114,10 +114,10 @@ export function Find() {
             }}
           >
             <Tile icon={hit.shape.icon} colour={hit.shape.colour} size={22} />
-            <span className="find-words">
-              {hit.name} <span className="find-aside">{hit.aside}</span>
+            <span className="ellipsis grow">
+              {hit.name} <span className="muted small-text">{hit.aside}</span>
             </span>
-            {mission.programs.length > 1 ? <span className="find-program">{hit.program}</span> : null}
+            {mission.programs.length > 1 ? <span className="muted small-text">{hit.program}</span> : null}
           </li>
         ))}
       </ul>

@@ -18,7 +18,7 @@ export function Ghost() {
   const many = payload.kind === "vertices" && payload.ids.length > 1 ? ` +${String(payload.ids.length - 1)}` : "";
   return createPortal(
     <div
-      className="ghost"
+      className="ghost row nowrap"
       style={{ transform: `translate(${String(x + 10)}px, ${String(y + 12)}px)` }}
       data-colour={shape.colour}
     >
@@ -27,8 +27,8 @@ export function Ghost() {
         {title(shape)}
         {many}
       </strong>
-      {copy && payload.kind === "vertices" ? <span className="ghost-plus">+</span> : null}
-      {aside ? <span className="ghost-aside">{t("graph.park-here")}</span> : null}
+      {copy && payload.kind === "vertices" ? <span className="ghost-plus centred ink bold">+</span> : null}
+      {aside ? <span className="muted">{t("graph.park-here")}</span> : null}
     </div>,
     document.body,
   );

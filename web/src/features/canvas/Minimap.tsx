@@ -27,7 +27,7 @@ export function Minimap({ layout }: { layout: Drawing["layout"] }) {
 
   return (
     <svg
-      className="minimap"
+      className="minimap surface"
       viewBox={box.join(" ")}
       role="img"
       aria-label={t("graph.minimap")}

@@ -83,7 +83,7 @@ export const Vertex = memo(function Vertex({ node }: { node: LayoutNode }) {
       <Outline w={w} h={h} hexagon={hexagon} />
       <Tile icon={block.shape.icon} colour={colour} />
       <span className="vertex-name">
-        {face.object === "" ? null : <span className="vertex-object">{face.object} </span>}
+        {face.object === "" ? null : <span className="muted">{face.object} </span>}
         <strong>{face.name}</strong>
       </span>
       {face.chips.map((chip) => (
@@ -160,7 +160,7 @@ export function ChipView({ chip, vertex }: { chip: Chip; vertex: string }) {
       {chip.icon === "" ? null : <Icon name={chip.icon} size={15} />}
       {chip.pieces.map((piece, index) =>
         piece.kind === "words" ? (
-          <span className="chip-words" key={index}>
+          <span className="chip-words slim" key={index}>
             {piece.words}
           </span>
         ) : chip.filler === null ? (
@@ -223,7 +223,7 @@ function BoxView({ box, vertex, takes }: { box: Box; vertex: string; takes: stri
         selectVertex(box.plugged, event);
       }}
     >
-      {box.label === "" ? null : <span className="box-label">{box.label}</span>}
+      {box.label === "" ? null : <span className="muted">{box.label}</span>}
       {box.picture === null ? null : <ChoicePicture choice={box.picture} size={PICTURE} />}
       <strong>{box.value === "" ? "…" : box.value}</strong>
     </span>

@@ -57,12 +57,12 @@ export function BrokenRun({ cell }: { cell: Cell }) {
   const { answer, column } = shown;
   const other = showsOther ? (answer.why?.other ?? null) : null;
   return (
-    <section className="check-run column" ref={place} data-testid="check-run" aria-label={t("check.run")}>
-      <header className="check-run-head row">
+    <section className="check-run column scroll gap-m" ref={place} data-testid="check-run" aria-label={t("check.run")}>
+      <header className="row between">
         <h3 className="panel-title">{t("check.broken-under", { assumption: assumptionWords(column) })}</h3>
         <Tool small icon="x" label={t("check.run-close")} titled={false} onClick={() => openAnswer(null)} />
       </header>
-      <p className="check-sentence">
+      <p className="check-sentence block">
         <Said text={answer.sentence} />
       </p>
       <Seen answer={answer} />
@@ -121,7 +121,7 @@ function Seen({ answer }: { answer: CheckedProperty }) {
   if (run === null) {
     const words = searched ? t("check.not-reproduced") : busy ? t("check.searching") : t("check.not-searched");
     return (
-      <p className="check-seen" data-testid="check-seen" data-confirmed="false">
+      <p className="check-seen flex gap-m" data-testid="check-seen" data-confirmed="false">
         <span className="check-dashed rigid" aria-hidden="true" />
         {words}
       </p>
@@ -129,7 +129,7 @@ function Seen({ answer }: { answer: CheckedProperty }) {
   }
   return (
     <>
-      <p className="check-seen" data-testid="check-seen" data-confirmed="true">
+      <p className="check-seen flex gap-m" data-testid="check-seen" data-confirmed="true">
         <Icon name="circle-check" size={16} />
         <span>
           <strong>{t("check.confirmed", { seed: String(run.seed), time: clock(run.seconds) })}</strong>
@@ -183,11 +183,11 @@ function Events({ events, leftOut, decided }: { events: readonly CheckedEvent[];
           {index === gap ? (
             <span className="check-left-out muted">{t("check.left-out", { count: leftOut })}</span>
           ) : null}
-          <span className="check-step muted">{events[index - 1]?.step === step ? "" : grouped(step + 1)}</span>
+          <span className="check-step muted figures">{events[index - 1]?.step === step ? "" : grouped(step + 1)}</span>
           <span>
             <Said text={text} />
             {step === decided && events[index - 1]?.step !== decided ? (
-              <span className="check-decided row">
+              <span className="check-decided row regular gap-xs">
                 <Icon name="git-fork" size={14} />
                 {t("check.decides")}
               </span>

@@ -32,8 +32,8 @@ export function CheckPanel() {
   const walks = useStateWalk((walk) => walk.wanted !== null);
   return (
     <DockPanel id="check-panel" testId="check" title={t("check.title")} close={t("check.close")} tools={<Asking />}>
-      <div className="check-body" data-run={walks || answered}>
-        <div className="check-answers column">
+      <div className="check-body flex" data-run={walks || answered}>
+        <div className="check-answers column grow scroll gap-m">
           <Refused refused={refused} />
           {asked === null ? <p className="check-what prose muted">{t("check.what")}</p> : <Answers />}
           <WalkEntry />
@@ -93,7 +93,7 @@ function Asking() {
   if (busy) return <Progress />;
   return (
     <form
-      className="check-asking row wrap small-text"
+      className="check-asking row wrap small-text grow"
       onSubmit={(event) => {
         event.preventDefault();
         begin(readWhole(failures) ?? 0, kindsOf(kinds), readWhole(seconds) ?? 0, search === ROUGH);
@@ -143,7 +143,7 @@ function Progress() {
   const progress = useCheck((check) => check.progress);
   const stopping = useCheck((check) => check.stopping);
   return (
-    <div className="check-asking row wrap small-text" data-testid="check-progress">
+    <div className="check-asking row wrap small-text grow" data-testid="check-progress">
       <span className="check-count figures">{progress === null ? t("check.preparing") : said(progress)}</span>
       <Button icon="square" testId="check-stop" disabled={stopping} onClick={breakOff}>
         {t("check.stop")}

@@ -58,7 +58,7 @@ export function StepArena({ run, mission, decided = -1 }: Props) {
     <div className="check-steps" data-testid="check-steps" data-step={scene.step}>
       <SceneArena scene={scene} mission={mission} world={world} />
       <div
-        className="check-steps-row row small-text"
+        className="check-steps-row row small-text gap-xs"
         role="group"
         aria-label={t("check.zone-by-zone")}
         onKeyDown={pressed}

@@ -57,7 +57,7 @@ export function DeleteSheet({ name }: { name: string }) {
           <li key={program}>
             <button
               type="button"
-              className="open-entry row"
+              className="open-entry row start-text gap-xl"
               data-testid={`own-use-${program}`}
               onClick={() => {
                 closeSheet();
@@ -71,10 +71,10 @@ export function DeleteSheet({ name }: { name: string }) {
         ))}
       </ul>
       <p className="sheet-note muted small-text">{t("own.delete-how")}</p>
-      <p className="own-failure row small-text" role="status">
+      <p className="own-failure row small-text gap-s" role="status">
         {failure}
       </p>
-      <div className="sheet-foot">
+      <div className="sheet-foot flex gap-m">
         <Button onClick={closeSheet}>{t("open.cancel")}</Button>
         <Button testId="own-leave" onClick={leave}>
           {t("own.leave")}

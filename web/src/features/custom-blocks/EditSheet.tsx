@@ -132,7 +132,7 @@ function Editing({ name, part }: { name: string; part: Constructor }) {
           </div>
           <div>
             <h3>{t("own.lll")}</h3>
-            <div className="own-code own-code-edit small-text">
+            <div className="own-code own-code-edit small-text scroll">
               <TextEditor
                 text={code ?? part.code}
                 label={t("own.lll")}

@@ -62,7 +62,7 @@ export function Look({ look, wrong, onChange }: LookProps) {
           onChange={(event) => onChange({ ...look, help: event.target.value })}
         />
       </Field>
-      <fieldset className="own-colours">
+      <fieldset className="own-colours flex gap-xs">
         <legend className="field-label muted small-text rigid">{t("own.colour")}</legend>
         {COLOURS.map((colour) => (
           <label key={colour} title={t(`own.colour-${colour}` as Key)}>

@@ -68,10 +68,10 @@ function Row({ opening, depth, program, onChange }: RowProps) {
     <li style={{ paddingInlineStart: depth * 16 }} data-testid={`opening-${opening.key.replace(" ", "-")}`}>
       <Checkbox className="own-check" checked={on} disabled={offer.is_open} set={(on) => onChange({ on })}>
         <span>{what}</span>
-        <span className="own-aside muted small-text">{offer.is_open ? t("own.must") : now}</span>
+        <span className="muted small-text to-end">{offer.is_open ? t("own.must") : now}</span>
       </Checkbox>
       {on ? (
-        <div className="own-opening wrap">
+        <div className="own-opening wrap flex gap-m">
           <label htmlFor={`${id}-name`} className="own-named">
             <span>{t("own.name")}</span>
             <input

@@ -26,12 +26,12 @@ const WORDS = {
 function Goal({ label, mark, at }: { label: string; mark: Mark; at: number }) {
   const seconds = mark.seconds === null ? null : mark.seconds.toFixed(1);
   return (
-    <li className="exercise-goal wrap" data-state={mark.state} data-testid={`exercise-goal-${String(at + 1)}`}>
+    <li className="exercise-goal wrap flex" data-state={mark.state} data-testid={`exercise-goal-${String(at + 1)}`}>
       <Icon name={ICONS[mark.state]} size={18} label={t(WORDS[mark.state])} />
-      <span className="exercise-goal-words column">
+      <span className="exercise-goal-words column slim">
         <span>{label}</span>
         {mark.why === "" ? null : (
-          <span className="exercise-why muted small-text">
+          <span className="muted small-text breakable">
             <Said text={mark.why} />
           </span>
         )}
@@ -88,7 +88,7 @@ export function ExercisePanel() {
   return (
     <section
       ref={section}
-      className="exercise"
+      className="exercise rigid scroll"
       tabIndex={-1}
       data-testid="exercise"
       aria-label={t("exercise.of", { name: text(shown.label) })}
@@ -117,9 +117,9 @@ export function ExercisePanel() {
           onClick={leave}
         />
       </header>
-      <p className="exercise-help">{text(shown.help)}</p>
+      <p className="exercise-help prose">{text(shown.help)}</p>
       {comment === undefined ? null : (
-        <p className="exercise-comment row" role="status" data-testid="exercise-comment">
+        <p className="exercise-comment row gap-m prose" role="status" data-testid="exercise-comment">
           <Icon name="message-circle" size={16} />
           <span dir="auto">{t("exercise.comment", { text: comment })}</span>
         </p>

@@ -34,19 +34,19 @@ export function ExperimentPanel() {
     };
   }, [mission, path]);
   const setup = (
-    <div key="setup" className="experiment-setup column">
+    <div key="setup" className="column slim gap-m">
       {busy === null ? <Setup /> : <Progress {...busy} />}
     </div>
   );
   const results = (
-    <div key="results" className="experiment-results column">
+    <div key="results" className="column slim gap-m">
       <Refused refused={refused} />
       {study === null ? <p className="prose muted">{t("experiment.empty")}</p> : <Results study={study} />}
     </div>
   );
   return (
     <DockPanel id="experiment-panel" testId="experiment" title={t("experiment.title")} close={t("experiment.close")}>
-      <div className="experiment-body dock-body" ref={box} data-narrow={isNarrow}>
+      <div className="experiment-body dock-body gap-2xl" ref={box} data-narrow={isNarrow}>
         {/* One below the other, what came of a study is above what is chosen for the next one. */}
         {isNarrow && study !== null ? [results, setup] : [setup, results]}
       </div>

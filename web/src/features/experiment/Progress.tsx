@@ -8,7 +8,7 @@ export function Progress({ done, total, left }: { done: number; total: number; l
   const said =
     total === 0 ? t("experiment.preparing") : t("experiment.progress", { done: grouped(done), total: grouped(total) });
   return (
-    <div className="experiment-progress column" data-testid="experiment-progress">
+    <div className="experiment-progress column gap-m" data-testid="experiment-progress">
       <progress aria-label={said} max={Math.max(total, 1)} {...(total === 0 ? {} : { value: done })} />
       <p>
         {said}

@@ -80,7 +80,7 @@ export function Gallery({ examples, open }: GalleryProps) {
           }}
         />
         <select
-          className="field gallery-robot"
+          className="field gallery-robot slim"
           aria-label={t("gallery.robot")}
           data-testid="gallery-robot"
           value={wish.robot}
@@ -142,7 +142,7 @@ export function Gallery({ examples, open }: GalleryProps) {
       {byLevel(found).map(({ level, entries }) => (
         <div key={level} className="gallery-level">
           <h4>{t(`gallery.level-${level === 1 || level === 2 || level === 3 ? level : 0}`)}</h4>
-          <ul className="gallery">
+          <ul className="gallery gap-2xl">
             {entries.map((entry) => (
               <li key={entry.path}>
                 <Card entry={entry} plays={plays} choose={() => open(entry)} onKeyDown={move} />

@@ -25,12 +25,12 @@ export function Part({ drawing, spot }: { drawing: Drawing; spot: Spot }) {
   const icon = shape.method?.icon || shape.icon;
   const help = text(shape.help);
   return (
-    <div className="inspector" data-testid="inspector">
+    <div className="inspector column" data-testid="inspector">
       <header className="inspector-head row">
         <Tile icon={icon} colour={shape.colour} size={22} />
         <h2>{title(shape)}</h2>
         {!places || shape.kind === "unknown" || shape.element === title(shape) ? null : (
-          <code className="inspector-element ellipsis muted" title={t("fields.in-lll", { name: shape.element })}>
+          <code className="inspector-element ellipsis muted slim" title={t("fields.in-lll", { name: shape.element })}>
             {shape.element}
           </code>
         )}
@@ -63,7 +63,7 @@ function NoteField({ vertex }: { vertex: Vertex }): ReactNode {
   const execute = useStudio((state) => state.execute);
   if (drawing === null) return null;
   return (
-    <label className="inspector-note">
+    <label className="inspector-note flex gap-xl">
       <span>{t("inspector.note")}</span>
       <textarea
         className="field"

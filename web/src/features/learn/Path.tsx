@@ -37,7 +37,7 @@ function Card({ lesson, learned, next, brief, onKeyDown }: CardProps) {
       onBlur={() => setNear(false)}
     >
       <MissionPicture className="learn-picture card-picture" path={lesson.start} plays={near}>
-        <span className="learn-icon">
+        <span className="learn-icon centred ink">
           <Icon name={lesson.icon} size={brief ? 22 : 26} />
         </span>
       </MissionPicture>
@@ -47,7 +47,7 @@ function Card({ lesson, learned, next, brief, onKeyDown }: CardProps) {
         </span>
       ) : null}
       <strong>{text(lesson.label)}</strong>
-      {brief ? null : <span className="learn-help muted small-text">{text(lesson.help)}</span>}
+      {brief ? null : <span className="learn-help muted small-text breakable">{text(lesson.help)}</span>}
       <small>
         {t(`learn.${lesson.kind}`)} · {lesson.far()}
       </small>
@@ -61,12 +61,12 @@ function Broken({ lesson: { kind, name, problems } }: { lesson: Lesson }) {
   return (
     <div className="learn-card is-broken card surface column" data-testid={`${kind}-card-${name}`}>
       <span className="learn-picture card-picture">
-        <span className="learn-icon">
+        <span className="learn-icon centred ink">
           <Icon name="triangle-alert" size={26} />
         </span>
       </span>
       <strong dir="auto">{name}</strong>
-      <span className="learn-help muted small-text">
+      <span className="learn-help muted small-text breakable">
         {t(kind === "tutorial" ? "tutorial.broken" : "exercise.broken")}{" "}
         {first === undefined ? null : <Said text={t("banner.line", { line: first.line, message: first.message })} />}
       </span>
@@ -119,7 +119,7 @@ export function Path({ lessons, brief = false }: PathProps) {
     cards[to]?.focus();
   };
   return (
-    <ol className="learn-path" ref={room}>
+    <ol className="learn-path start-text" ref={room}>
       {lessons.map((lesson) => (
         <li key={lesson.name}>
           {lesson.usable ? (

@@ -115,12 +115,12 @@ function Row({ number, title, children }: { number: number; title: string; child
   return (
     <fieldset className="new-row">
       <legend>
-        <span className="new-number small-text" aria-hidden="true">
+        <span className="new-number small-text centred" aria-hidden="true">
           {number}
         </span>
         {title}
       </legend>
-      <div className="new-cards">{children}</div>
+      <div className="new-cards gap-2xl">{children}</div>
     </fieldset>
   );
 }
@@ -183,7 +183,7 @@ function Form({ all, taken }: { all: Beginnings; taken: readonly string[] }) {
 
   return (
     <form
-      className="new-mission"
+      className="new-mission fill"
       ref={form}
       data-testid="new-mission"
       aria-labelledby="new-title"
@@ -199,7 +199,7 @@ function Form({ all, taken }: { all: Beginnings; taken: readonly string[] }) {
         beginMission(() => beginningsApi.mission(robotSet, place, starter), freeMissionName(name, taken));
       }}
     >
-      <main className="new-rows">
+      <main className="new-rows scroll">
         <Doors />
         <h2 id="new-title">{t("new.title")}</h2>
         <p>{t("new.help")}</p>
@@ -265,8 +265,8 @@ function Form({ all, taken }: { all: Beginnings; taken: readonly string[] }) {
           ))}
         </Row>
       </main>
-      <aside className="new-side column" aria-label={t("new.yours")}>
-        <div className="new-side-head row">
+      <aside className="new-side column scroll gap-2xl" aria-label={t("new.yours")}>
+        <div className="new-side-head row between">
           <h2>{t("new.yours")}</h2>
           <Tool small icon="x" label={t("help.close")} titled={false} onClick={closeOverlay} />
         </div>
@@ -292,7 +292,7 @@ function Form({ all, taken }: { all: Beginnings; taken: readonly string[] }) {
             </section>
           )}
         </div>
-        <div className="new-end column">
+        <div className="new-end column gap-m">
           <label className="field-label muted small-text rigid" htmlFor="new-name">
             {t("new.name")}
           </label>
@@ -307,12 +307,12 @@ function Form({ all, taken }: { all: Beginnings; taken: readonly string[] }) {
             onFocus={(event) => event.target.select()}
             onChange={(event) => setName(event.target.value)}
           />
-          <button type="submit" className="new-begin row bold" data-testid="new-begin">
+          <button type="submit" className="new-begin row bold ink" data-testid="new-begin">
             <Icon name="arrow-right" size={18} />
             {t("new.begin")}
             <kbd aria-hidden="true">Enter</kbd>
           </button>
-          <button type="button" className="new-all muted" onClick={() => show("open")}>
+          <button type="button" className="new-all muted medium" onClick={() => show("open")}>
             {t("examples.all")}
           </button>
         </div>

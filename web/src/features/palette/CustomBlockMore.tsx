@@ -7,7 +7,7 @@ export function CustomBlockMore({ name }: { name: string }) {
   return (
     <button
       type="button"
-      className="own-more tool small muted rigid"
+      className="own-more tool small muted rigid to-end"
       tabIndex={-1}
       aria-label={t("own.menu", { name })}
       title={t("own.menu", { name })}

@@ -112,9 +112,9 @@ export function Palette() {
 
   const searching = query.trim() !== "";
   return (
-    <div className="palette" ref={bin}>
+    <div className="palette column" ref={bin}>
       <Bin />
-      <div className="palette-head rigid">
+      <div className="palette-head rigid column">
         <RobotButton />
         {kit === null ? null : <KitNote />}
         <label className="palette-find row muted rigid">

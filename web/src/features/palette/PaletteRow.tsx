@@ -43,7 +43,7 @@ export function PaletteRow({ row, robot, focused, onFocus, onNamed }: RowProps) 
         onClick={() => newVariable()}
       >
         <Icon name="plus" size={16} />
-        <span className="palette-name">{row.label}</span>
+        <span className="palette-name grow breakable">{row.label}</span>
       </div>
     );
   }
@@ -66,8 +66,8 @@ export function PaletteRow({ row, robot, focused, onFocus, onNamed }: RowProps) 
       }}
     >
       <Tile icon={icon} colour={shape.colour} size={22} />
-      <span className="palette-name">{row.label}</span>
-      {row.aside === "" ? null : <span className="palette-aside ellipsis muted">{row.aside}</span>}
+      <span className="palette-name grow breakable">{row.label}</span>
+      {row.aside === "" ? null : <span className="palette-aside ellipsis muted rigid tiny-text">{row.aside}</span>}
       {isOwn(shape) ? <CustomBlockMore name={shape.element} /> : null}
     </div>
   );
@@ -88,14 +88,14 @@ function ObjectRow({ row, robot, common, onNamed }: ObjectProps) {
     <div
       {...common}
       {...(variable === null ? {} : { ...variableHandlers(variable), "data-removable": true })}
-      className="palette-object row"
+      className="palette-object row bold"
       data-testid={`object-${object.name}`}
     >
       <Icon name={iconOf(object)} size={14} />
       {variable !== null && renaming?.name === variable.name && renaming.robot === robot ? (
         <VariableName of={variable} done={onNamed} />
       ) : (
-        <span className="palette-name">{row.label}</span>
+        <span className="palette-name grow breakable">{row.label}</span>
       )}
       <Live object={object} />
     </div>
@@ -116,5 +116,5 @@ function Live({ object }: { object: RobotObject }) {
     return object.category === "sensor" ? agent?.inputs[object.name] : agent?.values[object.name];
   });
   if (value === undefined) return null;
-  return <span className="palette-live rigid">{valueWords(object, value)}</span>;
+  return <span className="palette-live rigid nowrap tiny-text">{valueWords(object, value)}</span>;
 }

@@ -88,7 +88,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
 
   return (
     <form
-      className="variable-form column"
+      className="variable-form column surface gap-m"
       data-testid="variable-form"
       aria-labelledby={`${id}-title`}
       onSubmit={(event: FormEvent) => {
@@ -131,7 +131,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
           <option value="boolean">{t("variable.boolean")}</option>
         </select>
       </Field>
-      <div className="variable-numbers">
+      <div className="variable-numbers gap-m">
         {isNumber ? (
           <>
             {number("min", t("variable.from"))}
@@ -160,14 +160,14 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
       >
         {t("variable.shared")}
       </Checkbox>
-      <p className="variable-why small-text" id={`${id}-why`} role="alert" data-testid="variable-why">
+      <p className="variable-why small-text regular" id={`${id}-why`} role="alert" data-testid="variable-why">
         {why === "" ? null : (
           <>
             <Icon name="triangle-alert" size={14} /> <Said text={why} />
           </>
         )}
       </p>
-      <div className="variable-foot wrap">
+      <div className="variable-foot wrap flex gap-m">
         <Button testId="variable-cancel" onClick={close}>
           {t("variable.cancel")}
         </Button>

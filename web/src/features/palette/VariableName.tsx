@@ -71,7 +71,7 @@ export function VariableName({ of, done }: { of: Named; done: (name: string) => 
         }}
       />
       {why === "" ? null : (
-        <span className="variable-why small-text" id={id} role="alert" ref={said}>
+        <span className="variable-why small-text regular" id={id} role="alert" ref={said}>
           <Said text={why} />
         </span>
       )}

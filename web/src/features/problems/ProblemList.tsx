@@ -32,7 +32,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
       <button
         type="button"
         ref={button}
-        className="problem"
+        className="problem flex start-text"
         data-testid={`problem-${String(index + 1)}`}
         aria-current={current}
         onClick={() => {
@@ -46,12 +46,12 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
           label={t(`problems.${problem.severity}`)}
           className={`problem-${problem.severity}`}
         />
-        <span className="problem-words">
-          <span className="problem-message">
+        <span className="grow">
+          <span className="block">
             <Said text={sentence(problem.message)} />
           </span>
           {problem.help === "" ? null : (
-            <span className="problem-help muted small-text">
+            <span className="problem-help muted small-text block">
               <Said text={sentence(problem.help)} />
             </span>
           )}
@@ -65,7 +65,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
       {play === null ? null : (
         <button
           type="button"
-          className="problem-fix rigid"
+          className="problem-fix rigid inline-row medium gap-s"
           data-testid={`show-${String(index + 1)}`}
           disabled={held}
           title={held ? t("check.real") : undefined}
@@ -82,7 +82,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
       {canFix(problem) ? (
         <button
           type="button"
-          className="problem-fix rigid"
+          className="problem-fix rigid inline-row medium gap-s"
           data-testid={`fix-${String(index + 1)}`}
           title={`${t("problems.fix")} (${FIX_KEY})`}
           aria-label={t("problems.fix-this", { message: sentence(problem.message) })}

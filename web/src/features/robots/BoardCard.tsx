@@ -78,7 +78,7 @@ function Stands({ board }: { board: Board | null }) {
   if (board === null) {
     // Its line is there before anything is known, so that what comes moves nothing.
     return (
-      <p className="robot-stands wrap muted small-text">
+      <p className="robot-stands wrap muted small-text flex">
         <span>{stateWords(board)}</span>
       </p>
     );
@@ -87,7 +87,7 @@ function Stands({ board }: { board: Board | null }) {
   const named = board.program !== "" || board.installed === "" || board.installed === "-";
   return (
     <p
-      className="robot-stands wrap muted small-text"
+      className="robot-stands wrap muted small-text flex"
       data-testid="robot-state"
       data-phase={board.phase}
       data-state={board.state}
@@ -110,7 +110,7 @@ function Fault({ board }: { board: Board }) {
   if (fault === null) return null;
   const place = fault.line > 0 ? t("boards.fault-line", { line: fault.line }) : "";
   return (
-    <div className="robot-trouble notice" role="alert" data-testid="robot-fault">
+    <div className="robot-trouble notice flex" role="alert" data-testid="robot-fault">
       <Icon name="octagon-x" size={16} />
       <p className="grow">
         <strong>
@@ -120,7 +120,7 @@ function Fault({ board }: { board: Board }) {
         {fault.vertex === "" ? null : (
           <button
             type="button"
-            className="robot-link"
+            className="robot-link start-text medium"
             data-testid="robot-fault-vertex"
             onClick={() => goToFault(board.address)}
           >
@@ -141,12 +141,23 @@ function Trouble({ place: { address, board, firmware } }: { place: Place }) {
   return (
     <TroubleBox said={said} testId="robot-trouble">
       {first === undefined ? null : (
-        <button type="button" className="robot-link" data-testid="robot-problems" onClick={showFirstProblem}>
+        <button
+          type="button"
+          className="robot-link start-text medium"
+          data-testid="robot-problems"
+          onClick={showFirstProblem}
+        >
           {t("boards.problems", { count: said.problems.length })}
         </button>
       )}
       {firmware !== "" && refused === undefined && board?.phase === "closed" ? (
-        <a className="robot-link" href={firmware} target="_blank" rel="noreferrer" data-testid="robot-firmware">
+        <a
+          className="robot-link start-text medium"
+          href={firmware}
+          target="_blank"
+          rel="noreferrer"
+          data-testid="robot-firmware"
+        >
           {t("boards.firmware")}
         </a>
       ) : null}
@@ -188,7 +199,7 @@ function Acts({ place: { address, board }, title }: { place: Place; title: strin
   if (board?.phase === "sending") return null;
   // While it is greeted they keep their place, and wait.
   return (
-    <fieldset className="robot-acts row wrap" disabled={board?.phase === "connecting"} aria-labelledby={title}>
+    <fieldset className="robot-acts row wrap slim" disabled={board?.phase === "connecting"} aria-labelledby={title}>
       {board?.phase === "lost" ? (
         <Act
           ink
@@ -251,7 +262,7 @@ function Acts({ place: { address, board }, title }: { place: Place; title: strin
 function Recorded({ board }: { board: Board | null }) {
   if (board?.recorded !== true || board.phase === "sending") return null;
   return (
-    <div className="robot-acts robot-recorded row wrap" data-testid="robot-recorded">
+    <div className="robot-acts robot-recorded row wrap slim" data-testid="robot-recorded">
       <Act
         icon="clapperboard"
         label={t("boards.play-recording")}
@@ -343,7 +354,7 @@ export function BoardCard({ place }: { place: Place }) {
           <Recorded board={board} />
         </>
       ) : (
-        <div className="robot-acts row wrap">
+        <div className="robot-acts row wrap slim">
           <span className="robots-note muted">{t("boards.another-page")}</span>
           <Act ink icon="square" label={t("boards.stop")} testId="robot-stop" onPress={() => stopBoard(address)} />
         </div>

@@ -45,7 +45,7 @@ function Fit({ fit }: { fit: KitFit | undefined }) {
   const { missing, problem } = fit;
   const runs = problem === "";
   return (
-    <span className="kit-fit muted small-text" data-runs={runs}>
+    <span className="kit-fit muted small-text flex gap-xs" data-runs={runs}>
       <Icon name={runs ? "check" : "x"} size={14} />
       <span>
         {runs ? (
@@ -128,7 +128,7 @@ function Question({ address }: { address: string }) {
           <li key={kit}>
             <button
               type="button"
-              className="kit-card card surface column"
+              className="kit-card card surface column wide gap-2xs"
               data-testid="kit-card"
               data-kit={kit}
               aria-pressed={kit === chosen}

@@ -44,7 +44,7 @@ function Barred() {
   const barred = useBoards((state) => state.barred);
   if (barred === null) return null;
   return (
-    <div className="robot-trouble notice" role="alert" data-testid="robots-barred">
+    <div className="robot-trouble notice flex" role="alert" data-testid="robots-barred">
       <p className="grow">
         <strong>
           <Said text={barred.message} />
@@ -138,7 +138,7 @@ function Places() {
   return (
     <>
       {places.length > 0 ? (
-        <ul className="robots-list">
+        <ul className="robots-list gap-m">
           {places.map((place) => (
             <BoardCard key={place.address} place={place} />
           ))}
@@ -168,7 +168,7 @@ export function Robots() {
   useLooking();
   const looking = useBoards((state) => state.ports === null && state.barred === null && placesOf(state).length === 0);
   return (
-    <section className="robots" data-testid="robots" aria-label={t("boards.title")}>
+    <section className="robots column" data-testid="robots" aria-label={t("boards.title")}>
       <header className="robots-head row rigid">
         <h2 className="panel-title">{t("boards.title")}</h2>
         <span className="grow" />
@@ -177,7 +177,7 @@ export function Robots() {
       </header>
       <KitSheet />
       <BoardFileSheet />
-      <div className="robots-body">
+      <div className="robots-body dock-body">
         <Barred />
         {inPage() ? null : <TeamPart />}
         {looking ? <p className="robots-note muted">{t("boards.looking")}</p> : <Places />}

@@ -67,9 +67,9 @@ function Member({ name, disabled }: { name: string; disabled: boolean }) {
   const label = useId();
   return (
     <li className="crew-member" data-testid="crew-member" data-agent={name} data-state={standing?.state ?? "idle"}>
-      <div className="crew-row">
+      <div className="crew-row gap-m">
         <StateShape state={standing?.failed === true ? "failed" : SHAPES[standing?.state ?? "idle"]} size={10} />
-        <span className="crew-name ellipsis" id={label}>
+        <span className="ellipsis medium" id={label}>
           {name}
         </span>
         <select
@@ -103,7 +103,7 @@ function Status({ team, other }: { team: Team | null; other: boolean }) {
   return (
     <>
       <p
-        className="crew-status muted small-text wrap"
+        className="crew-status muted small-text wrap flex"
         role="status"
         data-testid="crew-status"
         data-phase={team?.phase ?? "idle"}
@@ -121,13 +121,13 @@ function Acts({ team, boards, ready }: { team: Team | null; boards: number; read
   const busy = isBusy(team);
   if (busy && team?.phase !== "sending")
     return (
-      <div className="robot-acts row wrap">
+      <div className="robot-acts row wrap slim">
         <Act ink icon="square" label={t("crew.stop")} testId="crew-stop" onPress={stopEverything} />
         <Act icon="eye" label={t("crew.watch")} testId="crew-watch" onPress={() => showRobots(false)} />
       </div>
     );
   return (
-    <div className="robot-acts row wrap">
+    <div className="robot-acts row wrap slim">
       {busy ? <Act icon="x" label={t("boards.cancel")} testId="crew-cancel" onPress={cancelTeam} /> : null}
       <Act
         ink
@@ -172,7 +172,7 @@ export function TeamPart() {
       <Status team={team} other={other} />
       <Acts team={team} boards={boards} ready={you !== "" && !tooMany} />
       {tooMany ? null : (
-        <ul className="crew-list">
+        <ul className="crew-list gap-xs">
           {agents.map(({ name }) => (
             <Member key={name} name={name} disabled={isBusy(team)} />
           ))}

@@ -49,12 +49,12 @@ function Step({
       >
         <Icon name={going ? "square" : "play"} size={16} />
       </button>
-      <div className="bench-words">
-        <p className="bench-name wrap">
+      <div className="bench-words slim">
+        <p className="bench-name wrap flex">
           <strong>{name}</strong>
           {step.call === "" ? null : <code dir="ltr">{step.call}</code>}
           {going && value !== null ? (
-            <output className="bench-value" data-testid="bench-value">
+            <output className="bench-value to-end" data-testid="bench-value">
               {valueWords(step.reads, value)}
             </output>
           ) : null}

@@ -57,7 +57,7 @@ export function TroubleBox({
   children?: ReactNode;
 }) {
   return (
-    <div className="robot-trouble notice" role="alert" data-testid={testId}>
+    <div className="robot-trouble notice flex" role="alert" data-testid={testId}>
       <Icon name="triangle-alert" size={16} />
       <p className="grow">
         <strong>
@@ -76,7 +76,12 @@ type Way = Exclude<Board["way"], "">;
 export function WayOut({ way, of, onPress }: { way: Board["way"]; of: string; onPress: (way: Way) => void }) {
   if (way === "") return null;
   return (
-    <button type="button" className="robot-link" data-testid={`${of}-${way}`} onClick={() => onPress(way)}>
+    <button
+      type="button"
+      className="robot-link start-text medium"
+      data-testid={`${of}-${way}`}
+      onClick={() => onPress(way)}
+    >
       {t(`boards.${way}`)}
     </button>
   );

@@ -70,7 +70,7 @@ function Whole({ text }: { text: string }) {
         onClick={() => setOpen(!open)}
       />
       {open ? (
-        <span className="run-status-whole surface" tabIndex={-1} data-testid="status-whole">
+        <span className="run-status-whole surface breakable scroll" tabIndex={-1} data-testid="status-whole">
           <Said text={text} />
         </span>
       ) : null}
@@ -100,7 +100,7 @@ export function RunStatus() {
   return (
     <div className="run-status row" data-testid="status" data-status={status} title={said}>
       <StateShape state={SHAPES[status]} />
-      <span className="run-status-words" role="status" ref={words}>
+      <span className="run-status-words breakable" role="status" ref={words}>
         <Said text={said} />
       </span>
       {cut ? <Whole text={said} /> : null}

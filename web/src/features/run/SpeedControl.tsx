@@ -16,7 +16,7 @@ export function SpeedControl() {
   const watching = useRun((run) => run.watching);
   const position = positionOf(speed);
   return (
-    <div className="speed muted rigid" data-fold={6} title={t("run.speed")}>
+    <div className="speed muted rigid inline-row" data-fold={6} title={t("run.speed")}>
       <Icon name="gauge" size={16} />
       <input
         className="slider"

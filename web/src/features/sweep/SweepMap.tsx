@@ -76,7 +76,7 @@ export function SweepMap({ swept }: { swept: Swept }) {
   const field = rows[at.agent]?.[at.moment] ?? null;
 
   return (
-    <div className="sweep-found column">
+    <div className="column slim gap-m">
       <p className="prose muted">
         {t("sweep.baseline")} <Said text={map.sentence} />
       </p>
@@ -87,7 +87,7 @@ export function SweepMap({ swept }: { swept: Swept }) {
           {t("sweep.cut", { done: grouped(map.fields.length), total: grouped(map.total) })}
         </p>
       ) : null}
-      <ul className="sweep-legend wrap" data-testid="sweep-legend">
+      <ul className="sweep-legend wrap flex" data-testid="sweep-legend">
         {ENDINGS.filter((ending) => ending === "done" || counts[ending] > 0).map((ending) => (
           <li key={ending} data-testid={`sweep-count-${ending}`}>
             <span className="sweep-field" data-ending={ending} aria-hidden="true">
@@ -117,7 +117,9 @@ export function SweepMap({ swept }: { swept: Swept }) {
               </th>
               {map.moments.map((moment, index) => (
                 <th key={moment} scope="col">
-                  <span className={index % EACH === 0 ? "sweep-moment" : "only-spoken"}>{axisTime(moment)}</span>
+                  <span className={index % EACH === 0 ? "sweep-moment figures" : "only-spoken"}>
+                    {axisTime(moment)}
+                  </span>
                 </th>
               ))}
             </tr>

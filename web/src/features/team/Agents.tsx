@@ -91,7 +91,7 @@ function Row({ agent, at, onKey, focus }: RowProps) {
   }
   return (
     <li
-      className="team-row team-agent"
+      className="team-row team-agent gap-m"
       data-testid={`agent-${String(at)}`}
       data-name={name}
       onKeyDown={(event) => onKey(event, at)}
@@ -103,7 +103,7 @@ function Row({ agent, at, onKey, focus }: RowProps) {
         wrong={wrongName}
         keep={(wanted) => execute(renameAgent(now(), at, wanted, useStudio.getState().catalogue))}
       />
-      <span className="team-runs column">
+      <span className="column gap-xs">
         <Select
           label={`${t("team.program")}: ${name}`}
           testId={`agent-program-${String(at)}`}
@@ -192,7 +192,7 @@ export function Agents() {
         <p className="team-note muted">{t("team.agents-none")}</p>
       ) : (
         <>
-          <div className="team-row team-agent team-heads muted small-text" aria-hidden="true">
+          <div className="team-row team-agent team-heads muted small-text gap-m" aria-hidden="true">
             <span>{t("team.agent")}</span>
             <span>{t("team.program")}</span>
             <span>{t("team.start")}</span>

@@ -43,8 +43,8 @@ export function Members() {
   const waits = team.meetings.filter((one) => one.missing.length > 0);
   return (
     <DockPanel id={MEMBERS} testId="members" title={t("members.title")} close={t("members.close")}>
-      <div className="members-columns dock-body wrap">
-        <table className="members-table" data-testid="members-table">
+      <div className="members-columns dock-body wrap flex">
+        <table className="members-table panel-title" data-testid="members-table">
           <thead>
             <tr>
               <th scope="col">{t("members.who")}</th>
@@ -92,7 +92,7 @@ export function Members() {
             <p className="muted">{t("members.unchanged")}</p>
           ) : (
             <ol
-              className="members-changes column"
+              className="members-changes column gap-xs"
               aria-label={t("members.changes")}
               data-testid="members-changes"
             >

@@ -30,8 +30,15 @@ export default function Team() {
     found?.focus();
   }, [wanted]);
   return (
-    <div className="team" id="team-panel" role="tabpanel" aria-label={t("team.tab")} data-testid="team" ref={root}>
-      <div className="team-body column">
+    <div
+      className="team cover scroll"
+      id="team-panel"
+      role="tabpanel"
+      aria-label={t("team.tab")}
+      data-testid="team"
+      ref={root}
+    >
+      <div className="team-body column gap-2xl">
         <Agents />
         <FirstTeam />
         <Goals />

@@ -110,7 +110,7 @@ export function Worlds() {
           <Icon name="triangle-alert" size={16} /> {t("team.world-missing", { name: chosen })}
         </p>
       ) : null}
-      <div className="team-worlds" role="radiogroup" aria-labelledby="team-world">
+      <div className="team-worlds gap-2xl" role="radiogroup" aria-labelledby="team-world">
         {worlds.map((entry) => (
           <Card key={entry.href} entry={entry} chosen={own === null && sameWorld(entry.href, chosen)} />
         ))}

@@ -32,8 +32,8 @@ export function Corners({ world, thing, part }: PartProps<Part<"line"> | Part<"f
     <fieldset className="world-corners">
       <legend>{t("world.corners")}</legend>
       {points.map((point, at) => (
-        <div className="world-corner" key={at}>
-          <span className="world-corner-number muted">{at + 1}</span>
+        <div className="world-corner gap-xs" key={at}>
+          <span className="world-corner-number muted tiny-text">{at + 1}</span>
           {(["x", "y", "radius"] as const).map((name) => (
             <NumberField
               key={name}

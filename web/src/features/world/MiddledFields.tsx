@@ -25,7 +25,7 @@ export function ThingFields({ world, thing, part }: PartProps<Part<"box"> | Part
       ) : (
         <Numbers world={world} thing={thing} part={part} names={["width_mm", "height_mm"]} least={5} />
       )}
-      <div className="world-fields">
+      <div className="world-fields gap-m">
         <NumberField
           label={t("world.mass")}
           unit="g"
@@ -66,7 +66,7 @@ export function ZoneFields({ world, thing, part }: PartProps<Part<"zone">>) {
   const round = part.radius_mm > 0;
   return (
     <>
-      <div className="world-fields">
+      <div className="world-fields gap-m">
         <Choice
           label={t("world.zone-kind")}
           testId="world-zone-kind"

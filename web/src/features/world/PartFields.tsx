@@ -22,7 +22,7 @@ function DockFields({ world, thing, part }: PartProps<Part<"dock">>) {
   return (
     <>
       <Numbers world={world} thing={thing} part={part} names={["at_mm", "reach_mm"]} />
-      <div className="world-fields">
+      <div className="world-fields gap-m">
         <Choice
           label={t("world.kind-road")}
           testId="world-road"
@@ -90,7 +90,7 @@ function StartFields({ world, thing, part }: PartProps<Part<"start">>) {
   const options = places.flatMap(([value, words, there]): [string, string][] => (there ? [[value, words]] : []));
   return (
     <>
-      <div className="world-fields">
+      <div className="world-fields gap-m">
         <Choice
           label={t("world.where")}
           testId="world-where"
@@ -149,7 +149,7 @@ function HouseFields({ world, thing, part }: PartProps<Part<"storehouse">>) {
     <>
       <Numbers world={world} thing={thing} part={part} names={["x_mm", "y_mm"]} least={-LARGEST_MM} />
       <Numbers world={world} thing={thing} part={part} names={["width_mm", "height_mm"]} least={1} />
-      <div className="world-fields">
+      <div className="world-fields gap-m">
         <Count
           label={t("world.capacity")}
           value={part.capacity}

@@ -28,7 +28,7 @@ export function Templates({ done }: { done: () => void }) {
   }, [seed]);
   return (
     <section className="world-templates" aria-labelledby="world-templates" data-testid="world-templates">
-      <header className="world-chosen-head row">
+      <header className="world-chosen-head row gap-xs">
         <h2 id="world-templates">{t("world.templates")}</h2>
         <Tool small icon="x" label={t("world.templates-close")} testId="world-templates-close" onClick={done} />
       </header>

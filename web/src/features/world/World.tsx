@@ -76,12 +76,12 @@ export default function World() {
     if (there.length !== chosen.length) choose(there);
   }, [own]);
   return (
-    <div className="world" id="world-panel" role="tabpanel" aria-label={t("world.tab")} data-testid="world">
-      <div className="world-place column">
+    <div className="world cover" id="world-panel" role="tabpanel" aria-label={t("world.tab")} data-testid="world">
+      <div className="world-place column slim">
         <Tools />
         <Stage />
       </div>
-      <div className="world-side column">
+      <div className="world-side column scroll">
         {templates ? (
           <Templates done={() => setTemplates(false)} />
         ) : own === null ? (

@@ -52,7 +52,7 @@ export function Watched() {
   if (actor === undefined) return null;
   const robot = catalogue.robots.find(({ name }) => name === (agent?.robot ?? missionRobot));
   return (
-    <section className="stage-watched rigid" aria-label={t("arena.watched")} data-testid="stage-watched">
+    <section className="stage-watched rigid flex" aria-label={t("arena.watched")} data-testid="stage-watched">
       <Portrait actor={actor} />
       <div>
         <h2 className="panel-title">

@@ -84,7 +84,7 @@ function GradeTool({ folders }: { folders: readonly string[] | null }) {
   const grading = news?.grading ?? null;
   if (grading !== null && grading.page === "" && grading.done < grading.total) {
     return (
-      <span className="tool-named class-grading muted" role="status">
+      <span className="tool-named class-grading muted nowrap medium gap-m" role="status">
         {t("teacher.grading", { done: grading.done, total: grading.total })}
       </span>
     );
@@ -93,7 +93,7 @@ function GradeTool({ folders }: { folders: readonly string[] | null }) {
     <>
       <button
         type="button"
-        className="tool tool-named rigid"
+        className="tool tool-named rigid nowrap medium gap-m"
         data-testid="grade"
         disabled={news?.exercise === ""}
         onClick={() => act(classApi.grade(folders))}
@@ -102,7 +102,12 @@ function GradeTool({ folders }: { folders: readonly string[] | null }) {
         {folders === null ? t("teacher.grade") : t("teacher.grade-some", { count: folders.length })}
       </button>
       {grading !== null && grading.page !== "" ? (
-        <button type="button" className="tool tool-named rigid" data-testid="grades" onClick={openGrades}>
+        <button
+          type="button"
+          className="tool tool-named rigid nowrap medium gap-m"
+          data-testid="grades"
+          onClick={openGrades}
+        >
           <Icon name="file" size={18} />
           {t("teacher.grades")}
         </button>
@@ -122,7 +127,7 @@ function FreezeTool({ folders }: { folders: readonly string[] | null }) {
   return (
     <button
       type="button"
-      className="tool tool-named rigid"
+      className="tool tool-named rigid nowrap medium gap-m"
       data-testid="freeze"
       aria-pressed={frozen}
       disabled={folders !== null && count === 0}
@@ -144,21 +149,32 @@ export function Head({ open, folders, here, away }: HeadProps) {
     <header className="class-head rigid">
       <div className="class-head-menu row">
         {menus.map(([id, label, entries]) => (
-          <MenuButton key={id} id={id} label={label} entries={entries} className="menubar-title small-text">
+          <MenuButton
+            key={id}
+            id={id}
+            label={label}
+            entries={entries}
+            className="menubar-title small-text nowrap medium"
+          >
             {label}
           </MenuButton>
         ))}
-        <h1 dir="auto">{news?.name ?? ""}</h1>
+        <h1 className="small-text ellipsis" dir="auto">{news?.name ?? ""}</h1>
       </div>
-      <div className="class-tools row wrap" role="toolbar" aria-label={t("teacher.menu-class")}>
-        <button type="button" className="run-button bold rigid" data-testid="send" onClick={() => open("send")}>
+      <div className="class-tools row wrap gap-xs" role="toolbar" aria-label={t("teacher.menu-class")}>
+        <button
+          type="button"
+          className="run-button bold rigid inline-row ink"
+          data-testid="send"
+          onClick={() => open("send")}
+        >
           <Icon name="send" size={18} />
           {some === null ? t("teacher.send") : t("teacher.send-some", { count: some })}
         </button>
         <FreezeTool folders={folders} />
         <button
           type="button"
-          className="tool tool-named rigid"
+          className="tool tool-named rigid nowrap medium gap-m"
           data-testid="collect"
           onClick={() => collect(folders, news?.folder ?? "class")}
         >
@@ -168,11 +184,16 @@ export function Head({ open, folders, here, away }: HeadProps) {
         <GradeTool folders={folders} />
         <MarksTool />
         <span className="tool-line rigid" />
-        <button type="button" className="tool tool-named rigid" data-testid="add" onClick={() => open("add")}>
+        <button
+          type="button"
+          className="tool tool-named rigid nowrap medium gap-m"
+          data-testid="add"
+          onClick={() => open("add")}
+        >
           <Icon name="user-plus" size={18} />
           {t("teacher.add")}
         </button>
-        <p className="class-there row" data-testid="class-there">
+        <p className="class-there row to-end gap-s" data-testid="class-there">
           <Icon name="circle-dot" size={14} />
           {t("teacher.here", { count: here })}
           <Icon name="circle-dashed" size={14} />

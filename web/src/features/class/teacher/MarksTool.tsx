@@ -24,7 +24,12 @@ export function MarksTool() {
     menuItem(`marks-${one}`, t(`teacher.marks-${one}`), null, () => act(save(one))),
   );
   return (
-    <MenuButton id="class-marks" label={t("teacher.marks")} className="tool tool-named rigid" entries={entries}>
+    <MenuButton
+      id="class-marks"
+      label={t("teacher.marks")}
+      className="tool tool-named rigid nowrap medium gap-m"
+      entries={entries}
+    >
       <Icon name="clipboard-check" size={18} />
       {t("teacher.marks")}
     </MenuButton>

@@ -48,7 +48,7 @@ function RoleCard({ role, at, players }: { role: Role; at: number; players: read
             missing={t("roster.no-robot", { robot: role.robot })}
             keep={(robot) => change({ robot })}
           />
-          <div className="roster-card-counts">
+          <div className="roster-card-counts gap-s">
             <Count
               label={t("roster.least")}
               testId={`least-${name}`}
@@ -69,12 +69,12 @@ function RoleCard({ role, at, players }: { role: Role; at: number; players: read
         </>
       }
     >
-      <div className="chips wrap">
+      <div className="chips wrap flex gap-s">
         {players.map((agent) => (
           <Chip key={agent} thing={{ name: agent, isAgent: true }} places={placesSaid(mission, agent, name)} />
         ))}
         {players.length < role.most ? (
-          <span className="chip-place finger row small-text muted">{t("roster.drop")}</span>
+          <span className="chip-place finger row small-text muted slim gap-s">{t("roster.drop")}</span>
         ) : null}
       </div>
     </Card>
@@ -114,16 +114,16 @@ export function Spare() {
   const others = mission.agents.filter((one) => !isOfTeam(mission, one));
   const row = (agents: typeof others, title: string, help: string) => (
     <>
-      <div className="roster-card-head row">
+      <div className="roster-card-head row gap-s">
         <strong>{title}</strong>
         <small>{help}</small>
       </div>
-      <div className="chips wrap">
+      <div className="chips wrap flex gap-s">
         {agents.map(({ name }) => (
           <Chip key={name} thing={{ name, isAgent: true }} places={placesSaid(mission, name, undefined)} />
         ))}
         {agents.length === 0 ? (
-          <span className="chip-place finger row small-text muted">{t("roster.drop")}</span>
+          <span className="chip-place finger row small-text muted slim gap-s">{t("roster.drop")}</span>
         ) : null}
       </div>
     </>

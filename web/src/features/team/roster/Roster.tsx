@@ -83,7 +83,7 @@ export default function Roster() {
   const roles = rolesOf(mission).length;
   const said = useSaid();
   return (
-    <div className="roster" data-testid="roster">
+    <div className="roster column gap-xl" data-testid="roster">
       <Section
         what="role"
         title={t("roster.roles")}
@@ -115,7 +115,7 @@ export default function Roster() {
       >
         <Works />
       </Section>
-      <p className="roster-said small-text" role="status" data-testid="roster-said">
+      <p className="roster-said small-text ink" role="status" data-testid="roster-said">
         {said}
       </p>
       <DragGhost />

@@ -44,7 +44,7 @@ function Trouble({ name }: { name: string }) {
   const one = found ?? elsewhere;
   if (one === undefined) return null;
   return (
-    <p className="roster-card-trouble small-text" role="status" data-testid={`trouble-${name}`}>
+    <p className="roster-card-trouble small-text flex gap-s" role="status" data-testid={`trouble-${name}`}>
       <Icon name={one.severity === "error" ? "octagon-x" : "triangle-alert"} size={14} />{" "}
       <span>
         <Said text={sentence(one.message)} />
@@ -77,7 +77,7 @@ export function Card({ name, note, icon, work = false, goal, fields, children }:
       data-over={over ? (why === "" ? "takes" : "refuses") : undefined}
       {...place}
     >
-      <div className="roster-card-head row">
+      <div className="roster-card-head row gap-s">
         <Icon name={icon} size={16} />
         <strong dir="auto" title={name}>
           {name}
@@ -94,8 +94,8 @@ export function Card({ name, note, icon, work = false, goal, fields, children }:
         />
       </div>
       {open ? (
-        <div className="roster-card-fields column">
-          <div className="roster-card-name">
+        <div className="roster-card-fields column gap-s">
+          <div className="roster-card-name gap-xs">
             <NameCell
               name={name}
               label={t("roster.name", { name })}
@@ -131,7 +131,7 @@ export function Card({ name, note, icon, work = false, goal, fields, children }:
 /** A whole number of a declaration. */
 export function Count({ label, title, ...number }: ComponentProps<typeof NumberInput> & { title?: string }) {
   return (
-    <label className="roster-card-count column muted" title={title}>
+    <label className="column muted tiny-text gap-2xs" title={title}>
       {label}
       <NumberInput {...number} whole />
     </label>
