@@ -122,7 +122,7 @@ export function MenuBar({ menus: all }: { menus: MenuPart[] }) {
             <button
               type="button"
               role="menuitem"
-              className="menubar-title small-text nowrap medium"
+              className="menubar-title small-text nowrap medium focus-inside"
               {...(there ? { "data-title": "" } : {})}
               data-testid={`menu-${menu.id}`}
               aria-haspopup="menu"

@@ -60,7 +60,7 @@ function NameField({ name }: { name: string }) {
   }, []);
   return (
     <input
-      className="tab-name-field"
+      className="tab-name-field typed"
       style={{ left }}
       data-testid="tab-name-field"
       aria-label={t("program.name")}
@@ -142,7 +142,7 @@ function Tab({ name, onKey }: TabProps & { name: string }) {
       <Count count={count === 1 || (count === 0 && inTeam) ? undefined : count} sign="×" />
       <Errors there={errors === true} />
       {guilty ? (
-        <span className="tab-cross rigid centred ink">
+        <span className="tab-cross badge rigid">
           <Icon name="x" size={14} label={t("guilty.broken")} />
         </span>
       ) : null}

@@ -83,7 +83,7 @@ export function TeamStop() {
   return (
     <button
       type="button"
-      className="team-stop row start-text gap-xl"
+      className="team-stop row start-text gap-xl hover framed"
       data-on={on.includes(true)}
       data-testid="team-stop"
       title={`${t("stop.label")} (${keyFor.page(STOP_KEY)})`}

@@ -139,9 +139,14 @@ function NumberRow(props: FieldProps) {
 
   const control = { field, value: shown, label, set: put, leave, onFocus };
   const box = (
-    <span className={wrong ? "field-number row rigid is-wrong to-end gap-s" : "field-number row rigid to-end gap-s"}>
+    <span
+      className={
+        wrong ? "field-number row rigid is-wrong to-end gap-s typed" : "field-number row rigid to-end gap-s typed"
+      }
+    >
       <input
         ref={input}
+        className="bare medium"
         id={id}
         type="text"
         inputMode={field.scale === 1 ? "numeric" : "decimal"}
@@ -323,7 +328,7 @@ function TextRow(props: FieldProps) {
       <input
         ref={input}
         type="text"
-        className="field-text grow"
+        className="field-text grow typed"
         data-inspector-field=""
         data-testid={`field-${vertex.id}.${field.name}`}
         value={vertex.settings[field.name] ?? ""}

@@ -101,6 +101,7 @@ export function AddPopup({ adding, drawing }: { adding: Adding; drawing: Drawing
         <Icon name="search" size={16} />
         <input
           ref={input}
+          className="bare"
           type="text"
           role="combobox"
           aria-expanded="true"
@@ -122,6 +123,7 @@ export function AddPopup({ adding, drawing }: { adding: Adding; drawing: Drawing
           {shapes.map((shape, index) => (
             <li
               key={shape.element}
+              className="option"
               id={`adding-${String(index)}`}
               role="option"
               aria-selected={index === at}
@@ -143,6 +145,7 @@ export function AddPopup({ adding, drawing }: { adding: Adding; drawing: Drawing
           ))}
           {fresh ? (
             <li
+              className="option"
               id={`adding-${String(shapes.length)}`}
               role="option"
               aria-selected={at === shapes.length}

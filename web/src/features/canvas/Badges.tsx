@@ -121,7 +121,7 @@ export function Trouble({ id }: { id: string }) {
   if (worst === undefined) return null;
   const says = troubles.map(({ message, help }) => (help === "" ? message : `${message} ${help}`)).join("\n");
   return (
-    <span className="trouble centred ink" data-severity={worst.severity} data-testid={`problem-${id}`} title={says}>
+    <span className="trouble badge" data-severity={worst.severity} data-testid={`problem-${id}`} title={says}>
       <Icon name={SIGNS[worst.severity]} size={14} label={t("graph.problem", { message: says })} />
     </span>
   );

@@ -33,6 +33,7 @@ export function EmptyTeaching({ drawing }: { drawing: Drawing }) {
           <li key={shape.element}>
             <button
               type="button"
+              className="card surface row"
               data-testid={`first-${shape.element}`}
               onPointerDown={(event) => {
                 beginDrag(event, { kind: "part", element: shape.element });
@@ -45,7 +46,7 @@ export function EmptyTeaching({ drawing }: { drawing: Drawing }) {
               }}
             >
               <Tile icon={shape.icon} colour={shape.colour} size={36} />
-              <span>
+              <span className="slim">
                 <strong>{shortTitle(shape)}</strong>
                 <small>{inShort(text(shape.help))}</small>
               </span>

@@ -75,6 +75,7 @@ export function Find() {
         <Icon name="search" size={16} />
         <input
           ref={input}
+          className="bare"
           type="text"
           role="combobox"
           aria-expanded={hits.length > 0}
@@ -101,7 +102,7 @@ export function Find() {
         {hits.map((hit, index) => (
           <li
             key={`${hit.program} ${hit.vertex}`}
-            className="finger"
+            className="finger option"
             id={`find-${String(index)}`}
             role="option"
             aria-selected={index === current}

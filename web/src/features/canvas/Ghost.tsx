@@ -27,7 +27,7 @@ export function Ghost() {
         {title(shape)}
         {many}
       </strong>
-      {copy && payload.kind === "vertices" ? <span className="ghost-plus centred ink bold">+</span> : null}
+      {copy && payload.kind === "vertices" ? <span className="ghost-plus badge bold">+</span> : null}
       {aside ? <span className="muted">{t("graph.park-here")}</span> : null}
     </div>,
     document.body,

@@ -18,7 +18,7 @@ export function GuiltyVertex({ mark }: { mark: GuiltyMark }) {
   return (
     <>
       {robots.length === 0 ? null : (
-        <span className="guilty-cross centred ink" data-testid={`guilty-${mark.vertex}`}>
+        <span className="guilty-cross badge" data-testid={`guilty-${mark.vertex}`}>
           <Icon name="x" size={14} label={t("guilty.broken")} />
         </span>
       )}

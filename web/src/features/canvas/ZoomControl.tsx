@@ -17,9 +17,9 @@ export function ZoomControl() {
         {zoom} %
       </button>
       <Tool icon="plus" label={t("graph.zoom-in")} onClick={viewport?.zoomIn} />
-      <span className="zoom-line" />
+      <span className="tool-line" />
       <Tool icon="maximize" label={t("graph.fit")} onClick={viewport?.fit} />
-      <span className="zoom-line" />
+      <span className="tool-line" />
       <Tool
         icon="map"
         label={t("graph.minimap")}

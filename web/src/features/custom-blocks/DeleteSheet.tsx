@@ -57,7 +57,7 @@ export function DeleteSheet({ name }: { name: string }) {
           <li key={program}>
             <button
               type="button"
-              className="open-entry row start-text gap-xl"
+              className="open-entry row start-text gap-xl hover"
               data-testid={`own-use-${program}`}
               onClick={() => {
                 closeSheet();

@@ -46,7 +46,7 @@ function around({ points }: { points: readonly { x: number; y: number }[] }): Bo
 
 export function PartCode({ lll }: { lll: string }) {
   return (
-    <div className="own-code small-text scroll" data-testid="own-lll">
+    <div className="own-code small-text scroll typed" data-testid="own-lll">
       <TextView text={lll.trimEnd()} label={t("own.lll")} extensions={lllExtensions} />
     </div>
   );

@@ -140,10 +140,10 @@ export function SaveSheet({ program, vertices }: { program: string; vertices: st
     <Sheet title={t("own.save-title")} testId="own-dialog" wide onClose={closeSheet}>
       <form className="own-form" onSubmit={onSubmit}>
         <div className="own-columns">
-          <div>
+          <div className="slim">
             <Look look={look} wrong={wrong} onChange={setLook} />
           </div>
-          <div>
+          <div className="slim">
             <h3>{t("own.preview")}</h3>
             {made === null || withPart === null ? (
               <p className="sheet-note muted small-text">

@@ -36,7 +36,7 @@ export function WatchPanel() {
         <>
           {agents.length < 2 || agent === undefined ? null : (
             <select
-              className="watched small-text"
+              className="watched small-text typed"
               aria-label={t("debug.agent")}
               data-testid="watch-agent"
               value={agent.name}

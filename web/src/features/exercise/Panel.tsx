@@ -88,12 +88,12 @@ export function ExercisePanel() {
   return (
     <section
       ref={section}
-      className="exercise rigid scroll"
+      className="exercise lesson rigid scroll focus-inside"
       tabIndex={-1}
       data-testid="exercise"
       aria-label={t("exercise.of", { name: text(shown.label) })}
     >
-      <header className="exercise-head row wrap">
+      <header className="exercise-head lesson-head row wrap">
         <Icon name={shown.icon} size={18} />
         <h2 className="panel-title">{text(shown.label)}</h2>
         <span className="exercise-count muted small-text" data-testid="exercise-count">

@@ -20,12 +20,7 @@ export function Examples() {
     <section className="examples start-text" aria-label={t("open.examples")}>
       <div className="gallery-head flex between">
         <h2>{t("examples.or")}</h2>
-        <button
-          type="button"
-          className="gallery-all muted medium"
-          data-testid="all-examples"
-          onClick={() => show("open")}
-        >
+        <button type="button" className="text-button muted" data-testid="all-examples" onClick={() => show("open")}>
           {t("examples.all")}
         </button>
       </div>

@@ -26,7 +26,7 @@ function Chip({ label, pressed, testId, choose }: ChipProps) {
   return (
     <button
       type="button"
-      className="gallery-chip small-text"
+      className="gallery-chip finger small-text hover"
       aria-pressed={pressed}
       data-testid={testId}
       onClick={choose}

@@ -26,7 +26,7 @@ export function Jumps() {
         <button
           key={heading.textContent}
           type="button"
-          className="gallery-chip small-text"
+          className="gallery-chip finger small-text hover"
           dir="auto"
           onClick={() => {
             heading.scrollIntoView();

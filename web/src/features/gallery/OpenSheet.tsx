@@ -34,7 +34,7 @@ function Entry({ entry: { path, problem }, icon, title }: EntryProps) {
     <li>
       <button
         type="button"
-        className="open-entry row start-text gap-xl"
+        className="open-entry row start-text gap-xl hover"
         data-path={path}
         disabled={problem !== ""}
         onClick={choose}
@@ -70,7 +70,7 @@ function Lists() {
               <li key={journal}>
                 <button
                   type="button"
-                  className="open-entry row start-text gap-xl"
+                  className="open-entry row start-text gap-xl hover"
                   disabled={problem !== ""}
                   onClick={() => {
                     show(null);

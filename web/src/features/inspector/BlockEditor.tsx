@@ -81,8 +81,8 @@ function ValueRow({ drawing, block, field }: { drawing: Drawing; block: Block; f
       </>
     );
   return (
-    <div className="inspector-row row gap-xl">
-      <span className="inspector-label rigid">{text(field.label, field.name)}</span>
+    <div className="field-row row">
+      <span className="field-label rigid">{text(field.label, field.name)}</span>
       <span className="inspector-plugged muted">{t("inspector.from-value", { what: wordsOf(filler) })}</span>
       <Tool
         small
@@ -121,7 +121,7 @@ function SlotRow({ drawing, owner, plug, label, children }: SlotRowProps) {
   };
   return (
     <>
-      <Row label={label} className="inspector-row gap-xl" labelClass="inspector-label rigid">
+      <Row label={label} className="field-row" labelClass="field-label rigid">
         <select
           className="field"
           data-inspector-field=""

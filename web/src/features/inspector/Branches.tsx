@@ -18,8 +18,8 @@ export function Branches({ block }: { block: Block }) {
   const last = bodies.findLast((body) => body.chain.length === 0) ?? bodies.at(-1);
   const less = last === undefined ? null : removeBranch(program, parts, id, last.out);
   return (
-    <div className="inspector-row row gap-xl" role="group" aria-label={t("inspector.branches")}>
-      <span className="inspector-label rigid">{t("inspector.branches")}</span>
+    <div className="field-row row" role="group" aria-label={t("inspector.branches")}>
+      <span className="field-label rigid">{t("inspector.branches")}</span>
       <span className="grow" />
       <span className="inspector-count row">
         <Tool

@@ -39,9 +39,9 @@ export function Part({ drawing, spot }: { drawing: Drawing; spot: Spot }) {
       </header>
       <BlockEditor drawing={drawing} spot={spot} />
       {shape.kind === "unknown" ? (
-        <p className="inspector-help muted small-text">{t("inspector.unknown", { element: shape.element })}</p>
+        <p className="inspector-help muted small-text below">{t("inspector.unknown", { element: shape.element })}</p>
       ) : null}
-      {help === "" ? null : <p className="inspector-help muted small-text">{help}</p>}
+      {help === "" ? null : <p className="inspector-help muted small-text below">{help}</p>}
       <Branches block={spot.block} />
       <Marks drawing={drawing} spot={spot} />
       <NoteField vertex={vertex} />

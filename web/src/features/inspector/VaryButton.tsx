@@ -10,7 +10,7 @@ export function VaryButton({ address, name }: { address: string; name: string })
     <div className="inspector-vary row small-text">
       <button
         type="button"
-        className="inspector-vary-button finger muted"
+        className="inspector-vary-button finger muted boxed"
         aria-pressed={axis !== undefined}
         title={t("experiment.vary-part")}
         aria-label={t(axis === undefined ? "experiment.vary-field" : "experiment.varied-field", { name })}

@@ -33,7 +33,7 @@ export function Invitation({ children }: { children: ReactNode }) {
         <section className="learn-invitation" aria-label={t("learn.open")}>
           <div className="row between">
             <h2>{t("learn.invite")}</h2>
-            <button type="button" className="learn-all muted" data-testid="all-lessons" onClick={() => show("learn")}>
+            <button type="button" className="text-button muted" data-testid="all-lessons" onClick={() => show("learn")}>
               {t("learn.all")}
             </button>
           </div>

@@ -42,7 +42,7 @@ function Card({ lesson, learned, next, brief, onKeyDown }: CardProps) {
         </span>
       </MissionPicture>
       {learned ? (
-        <span className="learn-tick card-tick">
+        <span className="learn-tick badge card-tick">
           <Icon name="check" size={16} label={t("learn.learned")} />
         </span>
       ) : null}

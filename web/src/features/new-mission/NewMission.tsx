@@ -103,7 +103,7 @@ function Card({ row, value, label, help, chosen, reason = "", choose, children }
       <strong>{label}</strong>
       <small>{reason || firstSentence(help)}</small>
       {chosen ? (
-        <span className="new-tick card-tick">
+        <span className="badge card-tick">
           <Icon name="check" size={14} />
         </span>
       ) : null}
@@ -293,7 +293,7 @@ function Form({ all, taken }: { all: Beginnings; taken: readonly string[] }) {
           )}
         </div>
         <div className="new-end column gap-m">
-          <label className="field-label muted small-text rigid" htmlFor="new-name">
+          <label className="field-title muted small-text rigid" htmlFor="new-name">
             {t("new.name")}
           </label>
           <input
@@ -312,7 +312,7 @@ function Form({ all, taken }: { all: Beginnings; taken: readonly string[] }) {
             {t("new.begin")}
             <kbd aria-hidden="true">Enter</kbd>
           </button>
-          <button type="button" className="new-all muted medium" onClick={() => show("open")}>
+          <button type="button" className="new-all text-button muted" onClick={() => show("open")}>
             {t("examples.all")}
           </button>
         </div>

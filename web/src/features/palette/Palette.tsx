@@ -121,6 +121,7 @@ export function Palette() {
           <Icon name="search" />
           <input
             ref={find}
+            className="bare"
             type="search"
             aria-label={t("parts.find")}
             placeholder={t("parts.find-example")}

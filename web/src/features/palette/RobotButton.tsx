@@ -41,7 +41,7 @@ export function RobotButton() {
     <MenuButton
       id="palette-robot"
       label={t("parts.change-robot")}
-      className="palette-robot row bold rigid start-text"
+      className="palette-robot row bold rigid start-text boxed"
       entries={entries}
     >
       <span className="palette-name grow breakable">{kinds.find(({ name }) => name === robot)?.label ?? robot}</span>

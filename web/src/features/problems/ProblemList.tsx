@@ -32,7 +32,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
       <button
         type="button"
         ref={button}
-        className="problem flex start-text"
+        className="problem flex start-text focus-inside"
         data-testid={`problem-${String(index + 1)}`}
         aria-current={current}
         onClick={() => {
@@ -65,7 +65,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
       {play === null ? null : (
         <button
           type="button"
-          className="problem-fix rigid inline-row medium gap-s"
+          className="button problem-fix gap-s"
           data-testid={`show-${String(index + 1)}`}
           disabled={held}
           title={held ? t("check.real") : undefined}
@@ -82,7 +82,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
       {canFix(problem) ? (
         <button
           type="button"
-          className="problem-fix rigid inline-row medium gap-s"
+          className="button problem-fix gap-s"
           data-testid={`fix-${String(index + 1)}`}
           title={`${t("problems.fix")} (${FIX_KEY})`}
           aria-label={t("problems.fix-this", { message: sentence(problem.message) })}
@@ -117,7 +117,7 @@ export function ProblemList() {
           ))}
           {left > 0 ? (
             <li>
-              <button type="button" className="problem-more" onClick={() => setShown(count + ROWS)}>
+              <button type="button" className="problem-more hover" onClick={() => setShown(count + ROWS)}>
                 {t("problems.more", { count: Math.min(ROWS, left), all: grouped(left) })}
               </button>
             </li>

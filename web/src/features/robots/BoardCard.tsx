@@ -78,7 +78,7 @@ function Stands({ board }: { board: Board | null }) {
   if (board === null) {
     // Its line is there before anything is known, so that what comes moves nothing.
     return (
-      <p className="robot-stands wrap muted small-text flex">
+      <p className="robot-stands wrap muted small-text flex below">
         <span>{stateWords(board)}</span>
       </p>
     );
@@ -87,7 +87,7 @@ function Stands({ board }: { board: Board | null }) {
   const named = board.program !== "" || board.installed === "" || board.installed === "-";
   return (
     <p
-      className="robot-stands wrap muted small-text flex"
+      className="robot-stands wrap muted small-text flex below"
       data-testid="robot-state"
       data-phase={board.phase}
       data-state={board.state}
@@ -110,7 +110,7 @@ function Fault({ board }: { board: Board }) {
   if (fault === null) return null;
   const place = fault.line > 0 ? t("boards.fault-line", { line: fault.line }) : "";
   return (
-    <div className="robot-trouble notice flex" role="alert" data-testid="robot-fault">
+    <div className="robot-trouble notice flex below" role="alert" data-testid="robot-fault">
       <Icon name="octagon-x" size={16} />
       <p className="grow">
         <strong>
@@ -174,7 +174,7 @@ function Program({ address, disabled }: { address: string; disabled: boolean }) 
   const state = useBoards();
   const names = programs.map(({ name }) => name);
   return (
-    <Row label={t("boards.program")} className="robot-program muted">
+    <Row label={t("boards.program")} className="robot-program muted below">
       <select
         className="field"
         data-testid="robot-program"
@@ -292,7 +292,7 @@ export function BoardCard({ place }: { place: Place }) {
   const open = board?.phase === "open";
   const state = board === null || board.phase !== "open" ? "idle" : SHAPES[board.state];
   return (
-    <li className="robot" data-testid="robot" data-address={address} aria-labelledby={title}>
+    <li className="robot boxed" data-testid="robot" data-address={address} aria-labelledby={title}>
       <div className="robot-head row">
         <StateShape state={board?.phase === "lost" ? "stalled" : state} size={10} />
         <h3 id={title} className="panel-title ellipsis">

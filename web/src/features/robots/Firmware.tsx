@@ -113,7 +113,7 @@ function Flashing() {
         </p>
       ) : (
         <>
-          <Row label={t("firmware.drive")} className="robot-program muted">
+          <Row label={t("firmware.drive")} className="robot-program muted below">
             <select
               className="field"
               data-testid="firmware-drive"
@@ -128,7 +128,7 @@ function Flashing() {
               ))}
             </select>
           </Row>
-          <Row label={t("firmware.file")} className="robot-program muted">
+          <Row label={t("firmware.file")} className="robot-program muted below">
             <input
               key={done}
               type="file"

@@ -44,7 +44,7 @@ function Barred() {
   const barred = useBoards((state) => state.barred);
   if (barred === null) return null;
   return (
-    <div className="robot-trouble notice flex" role="alert" data-testid="robots-barred">
+    <div className="robot-trouble notice flex below" role="alert" data-testid="robots-barred">
       <p className="grow">
         <strong>
           <Said text={barred.message} />

@@ -103,7 +103,7 @@ function Status({ team, other }: { team: Team | null; other: boolean }) {
   return (
     <>
       <p
-        className="crew-status muted small-text wrap flex"
+        className="crew-status muted small-text wrap flex below"
         role="status"
         data-testid="crew-status"
         data-phase={team?.phase ?? "idle"}
@@ -162,7 +162,7 @@ export function TeamPart() {
   const tooMany = agents.length > MOST_AGENTS;
   const boards = agents.filter(({ name }) => bodyOf(state, path, name) !== "").length;
   return (
-    <section className="crew" data-testid="crew" aria-labelledby={title}>
+    <section className="crew boxed" data-testid="crew" aria-labelledby={title}>
       <h3 id={title} className="panel-title">
         {t("crew.title")}
       </h3>

@@ -83,7 +83,7 @@ export function TryParts({ board }: { board: Board }) {
   if (known === undefined || bench === null) return null;
   return (
     <section className="bench" aria-label={t("boards.try")} data-testid="bench">
-      <p className="bench-first bold">{t("boards.try-wheels")}</p>
+      <p className="bold below">{t("boards.try-wheels")}</p>
       <ol>
         {known.steps.map((step, at) => (
           <Step

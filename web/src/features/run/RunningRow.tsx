@@ -67,7 +67,7 @@ export function RunningRow({ threads, names, chosen }: { threads: Thread[]; name
       )}
       {names.length < 2 ? null : (
         <select
-          className="watched small-text"
+          className="watched small-text typed"
           data-testid="watched-agent"
           aria-label={t("tabs.watch")}
           title={chosen}

@@ -112,11 +112,11 @@ export function SweepMap({ swept }: { swept: Swept }) {
         >
           <thead>
             <tr>
-              <th scope="col">
+              <th className="nowrap" scope="col">
                 <span className="only-spoken">{t("sweep.robot")}</span>
               </th>
               {map.moments.map((moment, index) => (
-                <th key={moment} scope="col">
+                <th className="nowrap" key={moment} scope="col">
                   <span className={index % EACH === 0 ? "sweep-moment figures" : "only-spoken"}>
                     {axisTime(moment)}
                   </span>

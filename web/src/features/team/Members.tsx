@@ -84,7 +84,7 @@ export function Members() {
         </table>
         <div>
           {waits.map((meeting) => (
-            <p key={meeting.point} className="members-wait bold">
+            <p key={meeting.point} className="members-wait bold below">
               {meetingSaid(meeting)}
             </p>
           ))}

@@ -216,13 +216,13 @@ export function TutorialPanel() {
   return (
     <section
       ref={section}
-      className="tutorial rigid"
+      className="tutorial lesson rigid focus-inside"
       tabIndex={-1}
       data-testid="tutorial"
       data-step={progress.at + 1}
       aria-label={t("tutorial.of", { name: text(tutorial.label) })}
     >
-      <header className="tutorial-head row wrap">
+      <header className="tutorial-head lesson-head row wrap">
         <Icon name={tutorial.icon} size={18} />
         <h2 className="panel-title">{text(tutorial.label)}</h2>
         <Steps tutorial={tutorial} done={done} page={page} />

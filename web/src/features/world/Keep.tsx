@@ -30,7 +30,7 @@ export function Keep({ templates }: { templates: ReactNode }) {
         });
       }}
     >
-      <label className="field-label muted small-text rigid" htmlFor="world-file">
+      <label className="field-title muted small-text rigid" htmlFor="world-file">
         {t("world.file-name")}
       </label>
       <span className="world-file row wide gap-xs">

@@ -38,6 +38,7 @@ export function Templates({ done }: { done: () => void }) {
           <li key={name}>
             <button
               type="button"
+              className="card framed column small-text hover gap-xs"
               data-testid={`template-${name}`}
               title={text(world.help, "")}
               onClick={() => {

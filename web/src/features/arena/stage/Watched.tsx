@@ -118,5 +118,5 @@ function Portrait({ actor }: { actor: Actor }) {
     // The actor is made anew with each message of the run.
     // eslint-disable-next-line react-hooks/exhaustive-deps
   }, [name, theme, actor.figure, actor.lid]);
-  return <canvas ref={canvas} className="stage-portrait rigid" aria-hidden="true" />;
+  return <canvas ref={canvas} className="stage-portrait rigid boxed" aria-hidden="true" />;
 }

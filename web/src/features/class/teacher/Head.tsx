@@ -154,12 +154,14 @@ export function Head({ open, folders, here, away }: HeadProps) {
             id={id}
             label={label}
             entries={entries}
-            className="menubar-title small-text nowrap medium"
+            className="menubar-title small-text nowrap medium focus-inside"
           >
             {label}
           </MenuButton>
         ))}
-        <h1 className="small-text ellipsis" dir="auto">{news?.name ?? ""}</h1>
+        <h1 className="small-text ellipsis" dir="auto">
+          {news?.name ?? ""}
+        </h1>
       </div>
       <div className="class-tools row wrap gap-xs" role="toolbar" aria-label={t("teacher.menu-class")}>
         <button

@@ -39,7 +39,9 @@ export function JoinCard({ large, onLarge }: { large: boolean; onLarge?: () => v
       <Qr rows={news.qr} />
       <div className="class-join-words column slim">
         <span className="class-muted muted small-text">{t("teacher.join-at")}</span>
-        <code dir="ltr">{address}</code>
+        <code className="breakable" dir="ltr">
+          {address}
+        </code>
         {news.code === "" ? (
           <strong>{t("teacher.no-code")}</strong>
         ) : (
@@ -48,7 +50,7 @@ export function JoinCard({ large, onLarge }: { large: boolean; onLarge?: () => v
           </strong>
         )}
         {onLarge === undefined ? null : (
-          <button type="button" className="class-plain inline-row medium" onClick={onLarge}>
+          <button type="button" className="class-plain text-button inline-row" onClick={onLarge}>
             <Icon name="maximize" size={16} />
             {t("teacher.show-large")}
           </button>

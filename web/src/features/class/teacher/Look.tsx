@@ -94,7 +94,7 @@ function Goals({ folder }: { folder: string }) {
             <span>
               {text(label)}
               {goal === undefined || reached || !goal.why ? null : (
-                <small>
+                <small className="block regular">
                   <Said text={goal.why} />
                 </small>
               )}
@@ -147,7 +147,7 @@ function Turn({ folder, copy }: { folder: string; copy: string }) {
     return (
       <button
         type="button"
-        className="class-plain inline-row medium"
+        className="class-plain text-button inline-row"
         data-testid="ask-to-edit"
         disabled={pages === 0}
         onClick={() => act(classApi.turn(folder, true))}
@@ -184,7 +184,7 @@ function Word({ name, word }: { name: string; word: string }) {
       ) : null}
       <button
         type="button"
-        className="class-plain inline-row medium"
+        className="class-plain text-button inline-row"
         aria-expanded={open}
         data-testid="look-word-show"
         onClick={() => setOpen(!open)}
@@ -258,7 +258,7 @@ export function Look({ now }: { now: number }) {
         <Turn folder={folder} copy={copy} />
         {file === "" ? null : (
           <a
-            className="class-plain inline-row medium"
+            className="class-plain text-button inline-row"
             href={copy}
             target="_blank"
             rel="noopener"
@@ -277,7 +277,7 @@ export function Look({ now }: { now: number }) {
             </Button>
           </p>
         ) : (
-          <button type="button" className="class-plain inline-row medium" onClick={() => setRemoving(folder)}>
+          <button type="button" className="class-plain text-button inline-row" onClick={() => setRemoving(folder)}>
             <Icon name="trash-2" size={16} />
             {t("teacher.remove")}
           </button>

@@ -48,7 +48,7 @@ function Send({ onClose, folders }: SheetProps) {
           <li key={one.path}>
             <button
               type="button"
-              className="open-entry row start-text gap-xl"
+              className="open-entry row start-text gap-xl hover"
               data-path={one.path}
               onClick={() => send(one.path)}
             >
@@ -94,7 +94,7 @@ function ChooseExercise({ onClose }: SheetProps) {
           <li key={name}>
             <button
               type="button"
-              className="open-entry row start-text gap-xl"
+              className="open-entry row start-text gap-xl hover"
               aria-pressed={name === now}
               data-path={name}
               onClick={() => choose(name)}
@@ -109,7 +109,7 @@ function ChooseExercise({ onClose }: SheetProps) {
           </li>
         ))}
         <li>
-          <button type="button" className="open-entry row start-text gap-xl" onClick={() => choose("")}>
+          <button type="button" className="open-entry row start-text gap-xl hover" onClick={() => choose("")}>
             <Icon name="circle-slash-2" size={18} />
             <span className="open-title ellipsis medium">{t("teacher.no-exercise-more")}</span>
           </button>

@@ -182,7 +182,12 @@ function Foot({ now, count, open }: { now: number; count: number; open: (sheet: 
             ? t("teacher.kept", { count: seconds })
             : t("teacher.kept-long", { count: Math.round(seconds / 60) })}
       </span>
-      <button type="button" className="class-plain inline-row medium" data-testid="log" onClick={() => open("log")}>
+      <button
+        type="button"
+        className="class-plain text-button inline-row"
+        data-testid="log"
+        onClick={() => open("log")}
+      >
         <Icon name="clipboard-list" size={16} />
         {t("teacher.log")}
       </button>

@@ -93,7 +93,7 @@ export function Chip({ thing, places }: ChipProps) {
     <>
       <button
         type="button"
-        className="member-chip finger row small-text slim gap-s"
+        className="member-chip finger row small-text slim gap-s hover"
         ref={button}
         data-testid={`chip-${thing.from === undefined ? "" : `${thing.from}-`}${name}`}
         data-state={state}
