@@ -193,8 +193,8 @@ function Studio() {
         for (const { takeFiles } of FEATURES) takeFiles?.(files);
       }}
     >
-      <header className="head rigid">
-        <div className="head-menu row">
+      <header className="head rigid relative">
+        <div className="head-menu aligned relative">
           <Brand />
           <MenuBar menus={menus} />
           <Title />
@@ -213,7 +213,7 @@ function Studio() {
             <Separator edge="palette" label={t("view.palette")} along="x" />
           </nav>
         )}
-        <main className="centre column grow" aria-label={t("app.canvas")}>
+        <main className="centre column grow relative" aria-label={t("app.canvas")}>
           {ready ? <Tabs /> : <div className="tabs rigid flex" />}
           <Slot name="above" />
           <div className="fill relative">
@@ -238,7 +238,7 @@ function Studio() {
           </aside>
         ) : null}
       </div>
-      <footer className="bottom-bar row rigid" inert={covered}>
+      <footer className="bottom-bar rigid aligned" inert={covered}>
         <Slot name="bottom" />
       </footer>
       <Slot name="over-page" />

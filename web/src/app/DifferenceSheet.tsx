@@ -125,7 +125,7 @@ function MissionDifference() {
             />
           ))}
         </ul>
-        <div className="sheet-foot flex gap-m">
+        <div className="sheet-foot flex gap-m justify-end">
           <Button onClick={closeOverlay}>{t("open.cancel")}</Button>
           <Button
             ink
@@ -160,7 +160,7 @@ function MissionDifference() {
           {base === null ? (
             <p className="sheet-note muted small-text">{t("merge.no-base")}</p>
           ) : (
-            <div className="sheet-foot flex gap-m">
+            <div className="sheet-foot flex gap-m justify-end">
               <Button testId="merge" onClick={() => merge({ base, mission: useStudio.getState().mission }, [], true)}>
                 {t("merge.merge")}
               </Button>

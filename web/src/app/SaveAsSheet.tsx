@@ -70,7 +70,7 @@ export function SaveAsSheet() {
             </>
           )}
         </p>
-        <div className="sheet-foot flex gap-m">
+        <div className="sheet-foot flex gap-m justify-end">
           {shown?.taken === null || shown === null ? null : (
             <Button testId="save-replace" onClick={() => void put(shown.taken ?? "")}>
               {t("save.replace")}

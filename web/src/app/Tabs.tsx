@@ -60,7 +60,7 @@ function NameField({ name }: { name: string }) {
   }, []);
   return (
     <input
-      className="tab-name-field typed"
+      className="tab-name-field field"
       style={{ left }}
       data-testid="tab-name-field"
       aria-label={t("program.name")}
@@ -120,7 +120,7 @@ function Tab({ name, onKey }: TabProps & { name: string }) {
     <button
       type="button"
       role="tab"
-      className="tab inline-row nowrap"
+      className="tab inline-row nowrap focus-inside relative"
       id={`tab-${name}`}
       data-testid={`tab-${name}`}
       data-program={name}
@@ -160,7 +160,7 @@ function LastTab({ tab: { name, icon, label, open, useTab }, onKey }: TabProps &
     <button
       type="button"
       role="tab"
-      className={`tab inline-row nowrap tab-${name}`}
+      className={`tab inline-row nowrap relative tab-${name}`}
       id={`tab-of-${name}`}
       title={t(label)}
       data-testid={`tab-of-${name}`}
@@ -184,10 +184,10 @@ function MorePrograms({ hidden }: { hidden: number }) {
   const button = useRef<HTMLButtonElement>(null);
   const leave = useCallback(() => setAt(null), []);
   return (
-    <div className="more-programs row rigid" data-folded="">
+    <div className="more-programs rigid aligned" data-folded="">
       <button
         type="button"
-        className="tool tool-named rigid nowrap medium gap-m"
+        className="tool tool-named rigid nowrap medium gap-m relative"
         ref={button}
         title={t("tabs.all")}
         aria-haspopup="listbox"
@@ -254,7 +254,7 @@ export function Tabs() {
   return (
     <div className="tabs rigid flex">
       <div
-        className="tabs-scroll row"
+        className="tabs-scroll aligned relative"
         ref={row}
         onWheel={(event) => {
           if (event.deltaX === 0) event.currentTarget.scrollLeft += event.deltaY * (mirrored() ? -1 : 1);

@@ -43,7 +43,7 @@ export function Toolbar({ menus }: { menus: MenuPart[] }) {
   const { canUndo, canRedo, undoLabel, redoLabel } = useStudio();
   const { undo, redo } = useStudio.getState();
   return (
-    <div className="toolbar row">
+    <div className="toolbar aligned">
       <div className="tools row slim gap-xs" role="toolbar" aria-label={t("menu.run")} ref={tools}>
         <Tool
           icon="undo-2"
@@ -83,7 +83,7 @@ export function TeamStop() {
   return (
     <button
       type="button"
-      className="team-stop row start-text gap-xl hover framed"
+      className="team-stop row start-text gap-xl hover framed justify-centre"
       data-on={on.includes(true)}
       data-testid="team-stop"
       title={`${t("stop.label")} (${keyFor.page(STOP_KEY)})`}

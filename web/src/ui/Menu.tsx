@@ -87,7 +87,7 @@ export function Menu({ id, label, entries, onClose, onAside }: MenuProps) {
               {entry.kind !== "item" && entry.checked === true ? <Icon name="check" size={14} /> : null}
             </span>
             {entry.picture === undefined ? null : <span className="menu-picture rigid">{entry.picture}</span>}
-            <span className="menu-label">{entry.label}</span>
+            <span className="menu-label grow">{entry.label}</span>
             {entry.keys === undefined ? null : (
               <kbd className="menu-keys muted" aria-hidden="true">
                 {entry.keys}

@@ -251,7 +251,7 @@ function Control({ control, drawing, vertex, typed }: FieldProps & { control: Co
       />
     );
   const steps = field.max - field.min;
-  return look === "time" || steps <= MOST_STEPS ? <Slider {...control} /> : <span className="field-space" />;
+  return look === "time" || steps <= MOST_STEPS ? <Slider {...control} /> : <span className="grow" />;
 }
 
 function SwitchRow(props: FieldProps) {
@@ -262,7 +262,7 @@ function SwitchRow(props: FieldProps) {
   return (
     <label className="field-row row wrap">
       <span className="field-label muted small-text rigid">{text(field.label, field.name)}</span>
-      <span className="field-space" />
+      <span className="grow" />
       <span className="muted rigid">{t(on ? "parts.on" : "parts.off")}</span>
       <Switch
         on={on}
@@ -302,7 +302,7 @@ export function Switch({ on, label, testid, toggle, focused = false, onFocus, on
       ref={button}
       type="button"
       role="switch"
-      className="switch rigid"
+      className="switch rigid relative"
       data-inspector-field=""
       data-testid={testid}
       aria-checked={on}

@@ -35,7 +35,7 @@ export function Ruler({
   };
   return (
     <span
-      className="field-ruler column"
+      className="field-ruler column relative"
       role="slider"
       tabIndex={0}
       aria-label={label}
@@ -59,7 +59,7 @@ export function Ruler({
         if (event.currentTarget.hasPointerCapture(event.pointerId)) drag(event);
       }}
     >
-      <span className="ruler-scale" ref={scale}>
+      <span className="ruler-scale relative" ref={scale}>
         <span className="ruler-share" style={{ inlineSize: share(value) }} />
         {now === undefined ? null : (
           <span className="ruler-now" style={{ inlineSize: share(within(now, field)) }} data-testid="ruler-now">

@@ -256,7 +256,7 @@ export function Arena() {
     <div className="arena column" data-testid="arena">
       <Heading scene={scene} painter={painter} stage={stage} />
       {scene !== null && scene.actors.length >= CROWD ? <Crowd scene={scene} /> : null}
-      <div className="arena-frame fill" ref={frame}>
+      <div className="arena-frame fill relative" ref={frame}>
         <canvas
           ref={canvas}
           role="application"

@@ -58,9 +58,9 @@ const EmptyTeaching = later(() => import("./EmptyTeaching").then((chunk) => chun
 export function Canvas() {
   const drawing = useDrawing();
   const finding = useView((state) => state.finding);
-  if (drawing === null) return <div className="canvas" />;
+  if (drawing === null) return <div className="canvas focus-inside" />;
   return (
-    <div className="canvas-room">
+    <div className="canvas-room relative">
       <CanvasOf key={drawing.program.name} drawing={drawing} />
       {finding ? <Find /> : null}
     </div>
@@ -104,7 +104,7 @@ function Graph({ drawing }: { drawing: Drawing }) {
   return (
     <div
       ref={root}
-      className="canvas"
+      className="canvas focus-inside"
       data-accepts={accepts}
       data-plain={plain}
       role="application"

@@ -25,7 +25,7 @@ export function EmptyTeaching({ drawing }: { drawing: Drawing }) {
   const choosing = useDocument((document) => document.overlay === "open");
   const start = drawing.structure.start?.id ?? "start";
   return (
-    <section className="teaching">
+    <section className="teaching text-centre">
       <h2>{t("graph.first-step")}</h2>
       <p>{t(handKey("graph.first-help"))}</p>
       <ul className="teaching-parts gap-2xl">

@@ -18,7 +18,7 @@ export function Ghost() {
   const many = payload.kind === "vertices" && payload.ids.length > 1 ? ` +${String(payload.ids.length - 1)}` : "";
   return createPortal(
     <div
-      className="ghost row nowrap"
+      className="ghost row nowrap carried"
       style={{ transform: `translate(${String(x + 10)}px, ${String(y + 12)}px)` }}
       data-colour={shape.colour}
     >

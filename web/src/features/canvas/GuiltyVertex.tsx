@@ -76,7 +76,7 @@ function Bubble({ text }: { text: string }) {
   }, [side]);
   return (
     <span
-      className="guilty-bubble surface flex gap-m"
+      className="guilty-bubble surface flex gap-m passive"
       data-side={side}
       style={{ "--shift": `${String(shift)}px` } as CSSProperties}
       ref={bubble}

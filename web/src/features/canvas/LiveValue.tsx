@@ -46,8 +46,8 @@ export function LiveValue({ node, spare }: { node: LayoutNode; spare: number }) 
     <span
       className={
         fits
-          ? "live-value inline-row rigid bold small-text nowrap gap-xs"
-          : "live-value is-hung inline-row rigid bold small-text nowrap gap-xs"
+          ? "live-value inline-row rigid bold small-text nowrap gap-xs passive"
+          : "live-value is-hung inline-row rigid bold small-text nowrap gap-xs passive"
       }
       style={fits ? undefined : { insetInlineEnd: inset }}
       data-on={on}

@@ -65,7 +65,7 @@ function Terminal({ node }: { node: LayoutNode }) {
   const name = t(kind === "start" ? "graph.start" : "graph.stop");
   return (
     <div
-      className={`row terminal${selected ? " is-selected" : ""}`}
+      className={`row justify-centre terminal${selected ? " is-selected" : ""}`}
       id={`vertex-${id}`}
       data-testid={`vertex-${id}`}
       role="group"
@@ -170,7 +170,7 @@ function FirstPlace({ node: { id, colour, w, h } }: { node: LayoutNode }) {
   return (
     <button
       type="button"
-      className={`row muted first-place${aimed ? " is-aimed" : ""}`}
+      className={`row muted justify-centre first-place${aimed ? " is-aimed" : ""}`}
       data-testid={isFirst ? "first-place" : `place-${id}`}
       data-colour={isFirst ? undefined : colour}
       tabIndex={isFirst ? 0 : -1}

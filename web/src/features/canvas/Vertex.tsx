@@ -90,7 +90,7 @@ export const Vertex = memo(function Vertex({ node }: { node: LayoutNode }) {
         <ChipView key={chip.slot} chip={chip} vertex={id} />
       ))}
       {face.chips.length === 1 ? <Live node={node} spare={spare} /> : null}
-      <span className="vertex-space" />
+      <span className="grow" />
       {face.boxes.map((box) => (
         <BoxView key={box.slot} box={box} vertex={id} takes={takes(box.slot)} />
       ))}

@@ -27,7 +27,7 @@ function oddsWords(odds: number): string {
 }
 
 function Mark({ shape }: { shape: Shape }) {
-  return <span className="check-mark rigid" data-shape={shape} aria-hidden="true" />;
+  return <span className="check-mark rigid relative text-centre" data-shape={shape} aria-hidden="true" />;
 }
 
 /** Odds from which on a rough search says next to nothing, and the smallest that are told. */

@@ -76,7 +76,7 @@ export function BrokenRun({ cell }: { cell: Cell }) {
         <StepArena key="broken" run={answer} mission={mission} decided={answer.why?.step ?? -1} />
       ) : null}
       {answer.places.length === 0 ? null : (
-        <p className="check-play row">
+        <p className="check-play row lesson-head">
           <Button
             icon="step-forward"
             testId="check-walk"
@@ -121,7 +121,7 @@ function Seen({ answer }: { answer: CheckedProperty }) {
   if (run === null) {
     const words = searched ? t("check.not-reproduced") : busy ? t("check.searching") : t("check.not-searched");
     return (
-      <p className="check-seen flex gap-m" data-testid="check-seen" data-confirmed="false">
+      <p className="check-seen flex gap-m items-start" data-testid="check-seen" data-confirmed="false">
         <span className="check-dashed rigid" aria-hidden="true" />
         {words}
       </p>
@@ -129,7 +129,7 @@ function Seen({ answer }: { answer: CheckedProperty }) {
   }
   return (
     <>
-      <p className="check-seen flex gap-m" data-testid="check-seen" data-confirmed="true">
+      <p className="check-seen flex gap-m items-start" data-testid="check-seen" data-confirmed="true">
         <Icon name="circle-check" size={16} />
         <span>
           <strong>{t("check.confirmed", { seed: String(run.seed), time: clock(run.seconds) })}</strong>
@@ -138,7 +138,7 @@ function Seen({ answer }: { answer: CheckedProperty }) {
           ))}
         </span>
       </p>
-      <p className="check-play row wrap">
+      <p className="check-play row wrap lesson-head">
         <Button icon="play" testId="check-play" disabled={held} onClick={() => play(run)}>
           {t("check.play")}
         </Button>
@@ -187,7 +187,7 @@ function Events({ events, leftOut, decided }: { events: readonly CheckedEvent[];
           <span>
             <Said text={text} />
             {step === decided && events[index - 1]?.step !== decided ? (
-              <span className="check-decided row regular gap-xs">
+              <span className="row regular gap-xs">
                 <Icon name="git-fork" size={14} />
                 {t("check.decides")}
               </span>

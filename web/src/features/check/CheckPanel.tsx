@@ -93,7 +93,7 @@ function Asking() {
   if (busy) return <Progress />;
   return (
     <form
-      className="check-asking row wrap small-text grow"
+      className="check-asking row wrap small-text grow justify-end"
       onSubmit={(event) => {
         event.preventDefault();
         begin(readWhole(failures) ?? 0, kindsOf(kinds), readWhole(seconds) ?? 0, search === ROUGH);
@@ -143,7 +143,7 @@ function Progress() {
   const progress = useCheck((check) => check.progress);
   const stopping = useCheck((check) => check.stopping);
   return (
-    <div className="check-asking row wrap small-text grow" data-testid="check-progress">
+    <div className="check-asking row wrap small-text grow justify-end" data-testid="check-progress">
       <span className="check-count figures">{progress === null ? t("check.preparing") : said(progress)}</span>
       <Button icon="square" testId="check-stop" disabled={stopping} onClick={breakOff}>
         {t("check.stop")}

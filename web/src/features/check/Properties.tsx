@@ -184,7 +184,7 @@ export function Properties() {
           <Said text={message} />. <Said text={help} />
         </p>
       ))}
-      <p className="check-add row wrap small-text">
+      <p className="row wrap small-text gap-m">
         <span className="muted">{t("check.add")}</span>
         {FORMS.map((form) => (
           <Button

@@ -98,7 +98,7 @@ export function StepArena({ run, mission, decided = -1 }: Props) {
           {repeats ? <Icon name="infinity" size={14} label={t("check.repeats")} /> : null}
         </span>
       </div>
-      <p className="check-step-said muted small-text">
+      <p className="muted small-text">
         {said.map(({ text }, index) => (
           <span key={index}>
             <Said text={text} />{" "}

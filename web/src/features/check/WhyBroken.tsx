@@ -29,7 +29,7 @@ export function WhyBroken({ answer, open, onOther }: Props) {
           </li>
         ))}
       </ol>
-      <p className="check-play row wrap">
+      <p className="check-play row wrap lesson-head">
         {confirmed !== null && why.tick >= 0 ? (
           <PlayFrom testId="check-play-moment" run={{ ...confirmed, tick: why.tick, seconds: why.seconds }}>
             {t("check.play-moment", { time: clock(why.seconds) })}

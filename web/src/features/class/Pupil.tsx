@@ -63,7 +63,7 @@ function Held({ icon, title, help, children }: { icon: string; title: string; he
   }, []);
   return createPortal(
     <div className="class-frozen centred" role="alert" data-testid="class-frozen">
-      <div className="class-frozen-card surface">
+      <div className="class-frozen-card surface text-centre">
         <Icon name={icon} size={40} />
         <h2>{title}</h2>
         <p>{help}</p>
@@ -168,7 +168,7 @@ export function PupilKept() {
       ) : null}
       <button
         type="button"
-        className="tool tool-named class-hand rigid nowrap medium gap-m"
+        className="tool tool-named class-hand rigid nowrap medium gap-m relative"
         aria-pressed={hand}
         data-testid="class-hand"
         onClick={() => putHand(!hand)}
@@ -179,7 +179,7 @@ export function PupilKept() {
       <MenuButton
         id="class-me"
         label={t("class.you", { name, class: of })}
-        className="tool tool-named class-me rigid nowrap medium gap-m"
+        className="tool tool-named class-me rigid nowrap medium gap-m relative"
         entries={entries}
       >
         <Icon name="user-round" size={18} />

@@ -39,7 +39,7 @@ export function Code() {
   const loaded = found !== undefined;
   return (
     <div className="code column panel" data-testid="code">
-      <header className="side-tabs row rigid between">
+      <header className="side-tabs rigid between aligned">
         <TabList
           label={t("view.code")}
           id="code-tab"
@@ -48,7 +48,7 @@ export function Code() {
           show={showCode}
           controls="code-panel"
           className="side-tablist flex slim gap-2xl"
-          tabClass="side-tab ellipsis muted"
+          tabClass="side-tab ellipsis muted focus-inside"
           title={(one) => t(`code.${one}`)}
         >
           {(one) => t(`code.${one}`)}

@@ -96,7 +96,7 @@ export default function Projection() {
           show={setWanted}
           controls="projection-text"
           className="side-tablist flex slim gap-2xl"
-          tabClass="side-tab ellipsis muted"
+          tabClass="side-tab ellipsis muted focus-inside"
           title={(robot) => robot}
         >
           {(robot) => <bdi>{tabName(robot, mission)}</bdi>}

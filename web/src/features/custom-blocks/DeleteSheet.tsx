@@ -74,7 +74,7 @@ export function DeleteSheet({ name }: { name: string }) {
       <p className="own-failure row small-text gap-s" role="status">
         {failure}
       </p>
-      <div className="sheet-foot flex gap-m">
+      <div className="sheet-foot flex gap-m justify-end">
         <Button onClick={closeSheet}>{t("open.cancel")}</Button>
         <Button testId="own-leave" onClick={leave}>
           {t("own.leave")}

@@ -23,7 +23,7 @@ export function Openings({ program, openings, onChange }: OpeningsProps) {
   };
   return (
     <fieldset className="own-openings">
-      <legend>{t("own.open-title")}</legend>
+      <legend className="bold">{t("own.open-title")}</legend>
       {rows.length === 0 ? <p className="sheet-note muted small-text">{t("own.open-none")}</p> : null}
       <ul>
         {rows.map(({ opening, depth }) => (

@@ -33,7 +33,7 @@ export function Preview({ catalogue, program, vertex, title }: PreviewProps) {
   }, [catalogue, program, vertex]);
   if (layout === null) return null;
   return (
-    <figure className="own-preview scroll" data-testid="own-preview">
+    <figure className="own-preview scroll text-centre" data-testid="own-preview">
       <GraphDrawing layout={layout} title={title} inside="" />
     </figure>
   );

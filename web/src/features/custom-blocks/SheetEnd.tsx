@@ -23,7 +23,7 @@ export function SheetEnd({ why, keep, disabled }: SheetEndProps) {
           </>
         )}
       </p>
-      <div className="sheet-foot flex gap-m">
+      <div className="sheet-foot flex gap-m justify-end">
         <Button onClick={closeSheet}>{t("open.cancel")}</Button>
         <Button ink type="submit" testId="own-save" disabled={disabled}>
           {keep}

@@ -38,7 +38,7 @@ export function Plot({ agent, object, label, value }: Props) {
       <svg width={PLOT.width + 2 * EDGE} height={PLOT.height + 2 * EDGE} aria-hidden>
         <g transform={`translate(${String(EDGE)} ${String(EDGE)})`}>
           <path className="watch-now" d={`M${now.x.toFixed(1)} 0V${String(PLOT.height)}`} />
-          <path className="watch-line" d={line} />
+          <path className="watch-line unscaled" d={line} />
           <circle className="watch-dot" cx={now.x} cy={now.y} r={3} />
         </g>
       </svg>

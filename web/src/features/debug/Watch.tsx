@@ -67,7 +67,7 @@ function Values({ agent }: { agent: RunAgent }) {
   const sensors = objects.filter((object) => object.category === "sensor" && object.name in agent.inputs);
   const variables = objects.filter((object) => object.category === "variable" && object.name in agent.values);
   return (
-    <div className="watch-columns dock-body wrap flex">
+    <div className="watch-columns dock-body wrap flex items-start">
       <Column title={t("parts.variables")} objects={variables} agent={agent} sensors={false} />
       <Column title={t("parts.sensors")} objects={sensors} agent={agent} sensors />
       <EventList />

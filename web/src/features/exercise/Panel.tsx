@@ -26,7 +26,7 @@ const WORDS = {
 function Goal({ label, mark, at }: { label: string; mark: Mark; at: number }) {
   const seconds = mark.seconds === null ? null : mark.seconds.toFixed(1);
   return (
-    <li className="exercise-goal wrap flex" data-state={mark.state} data-testid={`exercise-goal-${String(at + 1)}`}>
+    <li className="exercise-goal wrap flex items-start" data-state={mark.state} data-testid={`exercise-goal-${String(at + 1)}`}>
       <Icon name={ICONS[mark.state]} size={18} label={t(WORDS[mark.state])} />
       <span className="exercise-goal-words column slim">
         <span>{label}</span>
@@ -93,7 +93,7 @@ export function ExercisePanel() {
       data-testid="exercise"
       aria-label={t("exercise.of", { name: text(shown.label) })}
     >
-      <header className="exercise-head lesson-head row wrap">
+      <header className="exercise-head lesson-head row wrap relative">
         <Icon name={shown.icon} size={18} />
         <h2 className="panel-title">{text(shown.label)}</h2>
         <span className="exercise-count muted small-text" data-testid="exercise-count">

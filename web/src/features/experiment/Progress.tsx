@@ -8,9 +8,9 @@ export function Progress({ done, total, left }: { done: number; total: number; l
   const said =
     total === 0 ? t("experiment.preparing") : t("experiment.progress", { done: grouped(done), total: grouped(total) });
   return (
-    <div className="experiment-progress column gap-m" data-testid="experiment-progress">
+    <div className="experiment-progress column gap-m items-start" data-testid="experiment-progress">
       <progress aria-label={said} max={Math.max(total, 1)} {...(total === 0 ? {} : { value: done })} />
-      <p>
+      <p className="figures">
         {said}
         {left === null || done >= total ? null : (
           <span className="muted"> {t("experiment.left", { time: clock(left) })}</span>

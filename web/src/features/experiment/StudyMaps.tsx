@@ -100,7 +100,7 @@ function StudyMap({ study, measure, rows, columns, caption, holds }: MapProps) {
                 return (
                   <td
                     key={other}
-                    className="experiment-field figures"
+                    className="experiment-field figures text-centre"
                     data-cell={cellName({ row, column })}
                     data-testid={point === undefined ? undefined : `point-${String(point.number)}`}
                     tabIndex={at.row === row && at.column === column ? 0 : -1}

@@ -18,13 +18,13 @@ export function Examples() {
   if (examples.length === 0) return null;
   return (
     <section className="examples start-text" aria-label={t("open.examples")}>
-      <div className="gallery-head flex between">
+      <div className="flex between row">
         <h2>{t("examples.or")}</h2>
         <button type="button" className="text-button muted" data-testid="all-examples" onClick={() => show("open")}>
           {t("examples.all")}
         </button>
       </div>
-      <ul className="gallery gap-2xl">
+      <ul className="gallery gap-2xl card-grid">
         {examples.map((entry) => (
           <li key={entry.path}>
             <Card entry={entry} brief choose={() => openPath(entry.path)} />

@@ -93,7 +93,7 @@ export function Gallery({ examples, open }: GalleryProps) {
             </option>
           ))}
         </select>
-        <Checkbox className="gallery-plays finger" testId="gallery-plays" checked={plays} set={playsAlways}>
+        <Checkbox className="finger" testId="gallery-plays" checked={plays} set={playsAlways}>
           {t("gallery.move")}
         </Checkbox>
       </div>
@@ -142,7 +142,7 @@ export function Gallery({ examples, open }: GalleryProps) {
       {byLevel(found).map(({ level, entries }) => (
         <div key={level} className="gallery-level">
           <h4>{t(`gallery.level-${level === 1 || level === 2 || level === 3 ? level : 0}`)}</h4>
-          <ul className="gallery gap-2xl">
+          <ul className="gallery gap-2xl card-grid">
             {entries.map((entry) => (
               <li key={entry.path}>
                 <Card entry={entry} plays={plays} choose={() => open(entry)} onKeyDown={move} />

@@ -120,7 +120,7 @@ export function OpenSheet() {
         <Jumps />
         <Lists />
       </div>
-      <div className="sheet-foot flex gap-m">
+      <div className="sheet-foot flex gap-m justify-end">
         <input
           ref={chooser}
           className="only-spoken"

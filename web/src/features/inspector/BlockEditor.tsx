@@ -83,7 +83,7 @@ function ValueRow({ drawing, block, field }: { drawing: Drawing; block: Block; f
   return (
     <div className="field-row row">
       <span className="field-label rigid">{text(field.label, field.name)}</span>
-      <span className="inspector-plugged muted">{t("inspector.from-value", { what: wordsOf(filler) })}</span>
+      <span className="inspector-plugged muted grow">{t("inspector.from-value", { what: wordsOf(filler) })}</span>
       <Tool
         small
         icon="x"

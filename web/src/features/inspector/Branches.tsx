@@ -21,7 +21,7 @@ export function Branches({ block }: { block: Block }) {
     <div className="field-row row" role="group" aria-label={t("inspector.branches")}>
       <span className="field-label rigid">{t("inspector.branches")}</span>
       <span className="grow" />
-      <span className="inspector-count row">
+      <span className="inspector-count aligned">
         <Tool
           icon="minus"
           label={t("inspector.remove-branch")}

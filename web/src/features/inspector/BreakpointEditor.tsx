@@ -34,7 +34,7 @@ function Editor({ drawing, vertex }: { drawing: Drawing; vertex: string }) {
     if (command !== null) execute(command);
   };
   return (
-    <section className="breakpoint-editor" aria-label={t("debug.breakpoint")}>
+    <section className="breakpoint-editor inspector-part" aria-label={t("debug.breakpoint")}>
       <div className="breakpoint-row row gap-xl">
         <span className="breakpoint-name row">
           <span className="breakpoint-dot" data-off={breakpoint === undefined} aria-hidden="true" />
@@ -137,9 +137,9 @@ function Who({ breakpoint, put }: Part) {
   };
   return (
     <>
-      <fieldset className="breakpoint-row breakpoint-who row gap-xl">
+      <fieldset className="breakpoint-row breakpoint-who row gap-xl items-start">
         <legend className="breakpoint-name row">{t("debug.who")}</legend>
-        <span className="breakpoint-agents wrap flex">
+        <span className="breakpoint-agents wrap flex justify-end">
           {names.map((name) => (
             <Checkbox
               key={name}

@@ -59,7 +59,7 @@ function Terminal({ name, help }: { name: string; help: string }) {
       <header className="inspector-head row">
         <h2>{name}</h2>
       </header>
-      <p className="inspector-help muted small-text below">{help}</p>
+      <p className="inspector-help muted small-text below prose">{help}</p>
     </div>
   );
 }

@@ -36,7 +36,7 @@ function Card({ lesson, learned, next, brief, onKeyDown }: CardProps) {
       onFocus={() => setNear(true)}
       onBlur={() => setNear(false)}
     >
-      <MissionPicture className="learn-picture card-picture" path={lesson.start} plays={near}>
+      <MissionPicture className="learn-picture card-picture relative" path={lesson.start} plays={near}>
         <span className="learn-icon centred ink">
           <Icon name={lesson.icon} size={brief ? 22 : 26} />
         </span>
@@ -60,7 +60,7 @@ function Broken({ lesson: { kind, name, problems } }: { lesson: Lesson }) {
   const [first] = problems;
   return (
     <div className="learn-card is-broken card surface column" data-testid={`${kind}-card-${name}`}>
-      <span className="learn-picture card-picture">
+      <span className="learn-picture card-picture relative">
         <span className="learn-icon centred ink">
           <Icon name="triangle-alert" size={26} />
         </span>
@@ -119,7 +119,7 @@ export function Path({ lessons, brief = false }: PathProps) {
     cards[to]?.focus();
   };
   return (
-    <ol className="learn-path start-text" ref={room}>
+    <ol className="learn-path start-text card-grid" ref={room}>
       {lessons.map((lesson) => (
         <li key={lesson.name}>
           {lesson.usable ? (

@@ -183,7 +183,7 @@ function Form({ all, taken }: { all: Beginnings; taken: readonly string[] }) {
 
   return (
     <form
-      className="new-mission fill"
+      className="new-mission fill relative"
       ref={form}
       data-testid="new-mission"
       aria-labelledby="new-title"
@@ -266,7 +266,7 @@ function Form({ all, taken }: { all: Beginnings; taken: readonly string[] }) {
         </Row>
       </main>
       <aside className="new-side column scroll gap-2xl" aria-label={t("new.yours")}>
-        <div className="new-side-head row between">
+        <div className="between aligned">
           <h2>{t("new.yours")}</h2>
           <Tool small icon="x" label={t("help.close")} titled={false} onClick={closeOverlay} />
         </div>
@@ -307,7 +307,7 @@ function Form({ all, taken }: { all: Beginnings; taken: readonly string[] }) {
             onFocus={(event) => event.target.select()}
             onChange={(event) => setName(event.target.value)}
           />
-          <button type="submit" className="new-begin row bold ink" data-testid="new-begin">
+          <button type="submit" className="new-begin row bold ink justify-centre" data-testid="new-begin">
             <Icon name="arrow-right" size={18} />
             {t("new.begin")}
             <kbd aria-hidden="true">Enter</kbd>

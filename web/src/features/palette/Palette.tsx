@@ -112,7 +112,7 @@ export function Palette() {
 
   const searching = query.trim() !== "";
   return (
-    <div className="palette column" ref={bin}>
+    <div className="palette column relative" ref={bin}>
       <Bin />
       <div className="palette-head rigid column">
         <RobotButton />

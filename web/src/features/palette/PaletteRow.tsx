@@ -38,7 +38,7 @@ export function PaletteRow({ row, robot, focused, onFocus, onNamed }: RowProps) 
     return (
       <div
         {...common}
-        className="palette-part palette-new row muted"
+        className="palette-part palette-new row muted hover"
         data-testid="new-variable"
         onClick={() => newVariable()}
       >
@@ -53,7 +53,7 @@ export function PaletteRow({ row, robot, focused, onFocus, onNamed }: RowProps) 
   return (
     <div
       {...common}
-      className="palette-part row"
+      className="palette-part row hover"
       data-testid={`part-${shape.element}`}
       title={text(shape.help)}
       {...(isOwn(shape) ? { ...ownHandlers(shape.element), "data-removable": true } : {})}

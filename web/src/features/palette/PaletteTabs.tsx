@@ -46,7 +46,7 @@ export function PaletteTabs({ tabs, list, onChoose }: TabsProps) {
         <button
           key={tab.name}
           type="button"
-          className="palette-tab column slim gap-2xs"
+          className="palette-tab column slim gap-2xs hover justify-centre"
           data-testid={`palette-tab-${tab.name}`}
           aria-current={tab.name === inView}
           title={tab.label}

@@ -45,7 +45,7 @@ export function VariableName({ of, done }: { of: Named; done: (name: string) => 
     <span className="variable-rename column">
       <input
         ref={input}
-        className="finger"
+        className="field"
         dir="auto"
         spellCheck={false}
         autoComplete="off"

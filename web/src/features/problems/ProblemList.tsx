@@ -28,11 +28,11 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
   const held = useRun(isHeldByRobots);
   const place = problem.program !== "" ? problem.program : (problem.file.split(/[\\/]/).at(-1) ?? "");
   return (
-    <li className="problem-row row">
+    <li className="aligned">
       <button
         type="button"
         ref={button}
-        className="problem flex start-text focus-inside"
+        className="problem flex start-text focus-inside items-start"
         data-testid={`problem-${String(index + 1)}`}
         aria-current={current}
         onClick={() => {
@@ -60,7 +60,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
           {place}
           {problem.line > 0 ? `:${String(problem.line)}` : ""}
         </span>
-        <code className="problem-code muted">{problem.code}</code>
+        <code className="problem-code muted code-text">{problem.code}</code>
       </button>
       {play === null ? null : (
         <button

@@ -110,13 +110,13 @@ function Fault({ board }: { board: Board }) {
   if (fault === null) return null;
   const place = fault.line > 0 ? t("boards.fault-line", { line: fault.line }) : "";
   return (
-    <div className="robot-trouble notice flex below" role="alert" data-testid="robot-fault">
+    <div className="robot-trouble notice flex below items-start" role="alert" data-testid="robot-fault">
       <Icon name="octagon-x" size={16} />
       <p className="grow">
         <strong>
           {t("boards.fault", { number: fault.number })} <Said text={fault.sentence} />
         </strong>
-        {fault.text === "" ? null : <code className="robot-text">{fault.text}</code>}
+        {fault.text === "" ? null : <code className="block code-text">{fault.text}</code>}
         {fault.vertex === "" ? null : (
           <button
             type="button"
@@ -176,7 +176,7 @@ function Program({ address, disabled }: { address: string; disabled: boolean }) 
   return (
     <Row label={t("boards.program")} className="robot-program muted below">
       <select
-        className="field"
+        className="field small-field"
         data-testid="robot-program"
         disabled={disabled}
         value={programFor(state, address, names, open)}
@@ -293,7 +293,7 @@ export function BoardCard({ place }: { place: Place }) {
   const state = board === null || board.phase !== "open" ? "idle" : SHAPES[board.state];
   return (
     <li className="robot boxed" data-testid="robot" data-address={address} aria-labelledby={title}>
-      <div className="robot-head row">
+      <div className="row">
         <StateShape state={board?.phase === "lost" ? "stalled" : state} size={10} />
         <h3 id={title} className="panel-title ellipsis">
           {name}
@@ -303,7 +303,7 @@ export function BoardCard({ place }: { place: Place }) {
             {t("boards.at-page")}
           </span>
         ) : address.endsWith(name) ? null : (
-          <span className="robot-address ellipsis muted" dir="ltr" title={description}>
+          <span className="ellipsis muted code-text" dir="ltr" title={description}>
             {address}
           </span>
         )}

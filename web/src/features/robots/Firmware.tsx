@@ -115,7 +115,7 @@ function Flashing() {
         <>
           <Row label={t("firmware.drive")} className="robot-program muted below">
             <select
-              className="field"
+              className="field small-field"
               data-testid="firmware-drive"
               disabled={busy}
               value={drive?.folder ?? ""}

@@ -45,7 +45,7 @@ function Fit({ fit }: { fit: KitFit | undefined }) {
   const { missing, problem } = fit;
   const runs = problem === "";
   return (
-    <span className="kit-fit muted small-text flex gap-xs" data-runs={runs}>
+    <span className="kit-fit muted small-text flex gap-xs items-start" data-runs={runs}>
       <Icon name={runs ? "check" : "x"} size={14} />
       <span>
         {runs ? (
@@ -123,7 +123,7 @@ function Question({ address }: { address: string }) {
       <p className="sheet-note muted small-text">
         <Said text={t("kits.help", { program })} />
       </p>
-      <ul className="kit-cards" ref={list}>
+      <ul className="kit-cards card-grid" ref={list}>
         {(there ? cards : []).map(({ kit, label, help, picture, fit }) => (
           <li key={kit}>
             <button

@@ -44,7 +44,7 @@ function Barred() {
   const barred = useBoards((state) => state.barred);
   if (barred === null) return null;
   return (
-    <div className="robot-trouble notice flex below" role="alert" data-testid="robots-barred">
+    <div className="robot-trouble notice flex below items-start" role="alert" data-testid="robots-barred">
       <p className="grow">
         <strong>
           <Said text={barred.message} />
@@ -71,7 +71,7 @@ function Network() {
     <form className="robots-network" onSubmit={add} noValidate>
       <label htmlFor="robots-address">{t("boards.network")}</label>
       <input
-        className="field"
+        className="field small-field code-text"
         id="robots-address"
         data-testid="robots-address"
         dir="ltr"
@@ -169,7 +169,7 @@ export function Robots() {
   const looking = useBoards((state) => state.ports === null && state.barred === null && placesOf(state).length === 0);
   return (
     <section className="robots column" data-testid="robots" aria-label={t("boards.title")}>
-      <header className="robots-head row rigid">
+      <header className="robots-head row rigid panel-head">
         <h2 className="panel-title">{t("boards.title")}</h2>
         <span className="grow" />
         <Together />
@@ -177,7 +177,7 @@ export function Robots() {
       </header>
       <KitSheet />
       <BoardFileSheet />
-      <div className="robots-body dock-body">
+      <div className="dock-body fill">
         <Barred />
         {inPage() ? null : <TeamPart />}
         {looking ? <p className="robots-note muted">{t("boards.looking")}</p> : <Places />}

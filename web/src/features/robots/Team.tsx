@@ -73,7 +73,7 @@ function Member({ name, disabled }: { name: string; disabled: boolean }) {
           {name}
         </span>
         <select
-          className="field"
+          className="field small-field"
           aria-label={t("crew.body", { name })}
           data-testid="crew-body"
           disabled={disabled}

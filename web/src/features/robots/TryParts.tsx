@@ -54,7 +54,7 @@ function Step({
           <strong>{name}</strong>
           {step.call === "" ? null : <code dir="ltr">{step.call}</code>}
           {going && value !== null ? (
-            <output className="bench-value to-end" data-testid="bench-value">
+            <output className="to-end bold" data-testid="bench-value">
               {valueWords(step.reads, value)}
             </output>
           ) : null}

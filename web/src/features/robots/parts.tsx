@@ -57,7 +57,7 @@ export function TroubleBox({
   children?: ReactNode;
 }) {
   return (
-    <div className="robot-trouble notice flex below" role="alert" data-testid={testId}>
+    <div className="robot-trouble notice flex below items-start" role="alert" data-testid={testId}>
       <Icon name="triangle-alert" size={16} />
       <p className="grow">
         <strong>

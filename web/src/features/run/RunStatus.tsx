@@ -98,7 +98,7 @@ export function RunStatus() {
         ? t("debug.paused-at", { agent: hit.agent, visit: hit.visit })
         : t(key);
   return (
-    <div className="run-status row" data-testid="status" data-status={status} title={said}>
+    <div className="run-status row relative justify-end" data-testid="status" data-status={status} title={said}>
       <StateShape state={SHAPES[status]} />
       <span className="run-status-words breakable" role="status" ref={words}>
         <Said text={said} />

@@ -50,7 +50,7 @@ export function RunTools() {
     <>
       <button
         type="button"
-        className="run-button bold rigid inline-row ink"
+        className="run-button bold rigid inline-row ink justify-centre"
         data-testid="run-button"
         disabled={(live && !paused) || choosing}
         title={`${paused ? t("run.resume") : t("run.run")} (${keyFor.page(KEYS.run)})`}

@@ -45,7 +45,7 @@ const Row = memo(function Row({ agent, at, moments, fields, current, played }: R
         return (
           <td
             key={moment}
-            className="sweep-field"
+            className="sweep-field justify-centre"
             data-ending={ending}
             data-cell={cellName({ row: at, column: moment })}
             data-testid={`field-${String(at)}-${String(moment)}`}
@@ -87,10 +87,10 @@ export function SweepMap({ swept }: { swept: Swept }) {
           {t("sweep.cut", { done: grouped(map.fields.length), total: grouped(map.total) })}
         </p>
       ) : null}
-      <ul className="sweep-legend wrap flex" data-testid="sweep-legend">
+      <ul className="sweep-legend wrap flex gap-2xl" data-testid="sweep-legend">
         {ENDINGS.filter((ending) => ending === "done" || counts[ending] > 0).map((ending) => (
           <li key={ending} data-testid={`sweep-count-${ending}`}>
-            <span className="sweep-field" data-ending={ending} aria-hidden="true">
+            <span className="sweep-field justify-centre" data-ending={ending} aria-hidden="true">
               {SIGNS[ending]}
             </span>
             {t(`sweep.${ending}`)} <strong>{grouped(counts[ending])}</strong>

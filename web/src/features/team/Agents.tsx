@@ -134,7 +134,7 @@ function Row({ agent, at, onKey, focus }: RowProps) {
         wrong={lost}
         keep={(wanted) => execute(giveStart(now(), at, wanted))}
       />
-      <span className="team-tools row">
+      <span className="team-tools aligned">
         {tools.map(([what, icon, label, disabled, act]) => (
           <Tool
             key={what}
@@ -205,7 +205,7 @@ export function Agents() {
         </>
       )}
       {lost > 0 ? (
-        <p className="team-note team-hint muted row wrap" role="status">
+        <p className="team-note row wrap" role="status">
           <Icon name="triangle-alert" size={16} /> {t("team.place-help", { count: lost })}{" "}
           {place === null ? null : (
             <Button testId="place-agents" onClick={() => execute(place)}>

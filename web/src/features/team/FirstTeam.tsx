@@ -13,7 +13,7 @@ export function FirstTeam() {
     <section className="team-part surface" aria-labelledby="first-team" data-testid="first-team">
       <h2 id="first-team">{t("first-team.title")}</h2>
       <p className="team-note muted">{t("first-team.what")}</p>
-      <p className="team-hint row wrap">
+      <p className="row wrap">
         <Button icon="users" testId="start-team" onClick={() => void startTeam()}>
           {" "}
           {t("first-team.start")}

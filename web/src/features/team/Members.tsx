@@ -43,7 +43,7 @@ export function Members() {
   const waits = team.meetings.filter((one) => one.missing.length > 0);
   return (
     <DockPanel id={MEMBERS} testId="members" title={t("members.title")} close={t("members.close")}>
-      <div className="members-columns dock-body wrap flex">
+      <div className="members-columns dock-body wrap flex items-start">
         <table className="members-table panel-title" data-testid="members-table">
           <thead>
             <tr>

@@ -106,11 +106,11 @@ export function Worlds() {
         </Button>
       </p>
       {missing ? (
-        <p className="team-note team-hint muted row wrap" role="status">
+        <p className="team-note row wrap" role="status">
           <Icon name="triangle-alert" size={16} /> {t("team.world-missing", { name: chosen })}
         </p>
       ) : null}
-      <div className="team-worlds gap-2xl" role="radiogroup" aria-labelledby="team-world">
+      <div className="gap-2xl card-grid" role="radiogroup" aria-labelledby="team-world">
         {worlds.map((entry) => (
           <Card key={entry.href} entry={entry} chosen={own === null && sameWorld(entry.href, chosen)} />
         ))}

@@ -94,12 +94,12 @@ function StepView({ tutorial, done, page }: StepProps) {
         <h3>{told(step.label, page)}</h3>
         <p>{told(step.help, page)}</p>
         {is ? (
-          <p className="tutorial-is-done">
+          <p className="tutorial-is-done items-start">
             <Icon name="circle-check" size={16} /> {t("tutorial.is-done")}
           </p>
         ) : null}
         {hinted && hint !== "" ? (
-          <p className="tutorial-hint" role="status" data-testid="tutorial-hint">
+          <p className="tutorial-hint items-start" role="status" data-testid="tutorial-hint">
             <Icon name="lightbulb" size={16} />
             <span>
               <strong>{t("tutorial.hint")}</strong> {hint}

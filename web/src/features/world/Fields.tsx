@@ -79,7 +79,7 @@ export function Fields({ world }: { world: OwnWorld }) {
           {problems.map((problem, index) => (
             <p key={index} className="world-problem small-text" role="alert">
               <Icon name="circle-x" size={16} /> {sentence(problem.message)}{" "}
-              {problem.help === "" ? null : <small>{sentence(problem.help)}</small>}
+              {problem.help === "" ? null : <small className="block">{sentence(problem.help)}</small>}
             </p>
           ))}
           {isNamed(thing.kind) && part !== undefined && "name" in part ? (

@@ -77,7 +77,7 @@ export default function World() {
   }, [own]);
   return (
     <div className="world cover" id="world-panel" role="tabpanel" aria-label={t("world.tab")} data-testid="world">
-      <div className="world-place column slim">
+      <div className="column slim fill">
         <Tools />
         <Stage />
       </div>

@@ -81,7 +81,7 @@ export function Ending({ painter }: { painter: Painter }) {
     >
       <Sign size={20} aria-hidden="true" />
       <div className="stage-ending-words slim breakable">
-        <p>
+        <p className="bold">
           <Said text={title} />
         </p>
         {[more.slice(0, 1), more.slice(1)].map((said, rest) =>

@@ -33,7 +33,7 @@ export function Switches() {
           <button
             key={id}
             type="button"
-            className="stage-switch finger muted small-text inline-row nowrap gap-s hover"
+            className="stage-switch finger muted small-text inline-row nowrap gap-s hover justify-centre"
             data-testid={`show-${id}`}
             aria-pressed={on[id]}
             title={t(label)}
@@ -46,7 +46,7 @@ export function Switches() {
       })}
       <button
         type="button"
-        className="stage-switch finger stage-keep muted small-text inline-row nowrap gap-s hover"
+        className="stage-switch finger small-text inline-row nowrap gap-s hover justify-centre"
         data-testid="arena-keep"
         aria-haspopup="menu"
         title={t("arena.keep")}

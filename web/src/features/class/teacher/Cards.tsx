@@ -103,7 +103,7 @@ export function Cards({ folders, now }: { folders: readonly string[]; now: numbe
     cards[to]?.focus();
   };
 
-  if (folders.length === 0) return <p className="class-nobody muted">{t("teacher.nobody")}</p>;
+  if (folders.length === 0) return <p className="class-nobody muted text-centre">{t("teacher.nobody")}</p>;
   return (
     <div className="class-cards gap-xl" role="group" aria-label={t("teacher.cards")} ref={grid} onKeyDown={onKeyDown}>
       {folders.map((folder) => {

@@ -84,7 +84,7 @@ function GradeTool({ folders }: { folders: readonly string[] | null }) {
   const grading = news?.grading ?? null;
   if (grading !== null && grading.page === "" && grading.done < grading.total) {
     return (
-      <span className="tool-named class-grading muted nowrap medium gap-m" role="status">
+      <span className="tool-named class-grading muted nowrap medium gap-m relative" role="status">
         {t("teacher.grading", { done: grading.done, total: grading.total })}
       </span>
     );
@@ -93,7 +93,7 @@ function GradeTool({ folders }: { folders: readonly string[] | null }) {
     <>
       <button
         type="button"
-        className="tool tool-named rigid nowrap medium gap-m"
+        className="tool tool-named rigid nowrap medium gap-m relative"
         data-testid="grade"
         disabled={news?.exercise === ""}
         onClick={() => act(classApi.grade(folders))}
@@ -104,7 +104,7 @@ function GradeTool({ folders }: { folders: readonly string[] | null }) {
       {grading !== null && grading.page !== "" ? (
         <button
           type="button"
-          className="tool tool-named rigid nowrap medium gap-m"
+          className="tool tool-named rigid nowrap medium gap-m relative"
           data-testid="grades"
           onClick={openGrades}
         >
@@ -127,7 +127,7 @@ function FreezeTool({ folders }: { folders: readonly string[] | null }) {
   return (
     <button
       type="button"
-      className="tool tool-named rigid nowrap medium gap-m"
+      className="tool tool-named rigid nowrap medium gap-m relative"
       data-testid="freeze"
       aria-pressed={frozen}
       disabled={folders !== null && count === 0}
@@ -147,7 +147,7 @@ export function Head({ open, folders, here, away }: HeadProps) {
   const some = folders === null ? null : folders.length;
   return (
     <header className="class-head rigid">
-      <div className="class-head-menu row">
+      <div className="class-head-menu aligned relative">
         {menus.map(([id, label, entries]) => (
           <MenuButton
             key={id}
@@ -166,7 +166,7 @@ export function Head({ open, folders, here, away }: HeadProps) {
       <div className="class-tools row wrap gap-xs" role="toolbar" aria-label={t("teacher.menu-class")}>
         <button
           type="button"
-          className="run-button bold rigid inline-row ink"
+          className="run-button bold rigid inline-row ink justify-centre"
           data-testid="send"
           onClick={() => open("send")}
         >
@@ -176,7 +176,7 @@ export function Head({ open, folders, here, away }: HeadProps) {
         <FreezeTool folders={folders} />
         <button
           type="button"
-          className="tool tool-named rigid nowrap medium gap-m"
+          className="tool tool-named rigid nowrap medium gap-m relative"
           data-testid="collect"
           onClick={() => collect(folders, news?.folder ?? "class")}
         >
@@ -188,7 +188,7 @@ export function Head({ open, folders, here, away }: HeadProps) {
         <span className="tool-line rigid" />
         <button
           type="button"
-          className="tool tool-named rigid nowrap medium gap-m"
+          className="tool tool-named rigid nowrap medium gap-m relative"
           data-testid="add"
           onClick={() => open("add")}
         >

@@ -239,7 +239,7 @@ export function Look({ now }: { now: number }) {
         </p>
       )}
       {program === null ? (
-        <p className="class-nobody muted">{t("teacher.look-none")}</p>
+        <p className="class-nobody muted text-centre">{t("teacher.look-none")}</p>
       ) : (
         <Graph program={program} name={name} />
       )}

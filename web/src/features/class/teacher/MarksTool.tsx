@@ -27,7 +27,7 @@ export function MarksTool() {
     <MenuButton
       id="class-marks"
       label={t("teacher.marks")}
-      className="tool tool-named rigid nowrap medium gap-m"
+      className="tool tool-named rigid nowrap medium gap-m relative"
       entries={entries}
     >
       <Icon name="clipboard-check" size={18} />

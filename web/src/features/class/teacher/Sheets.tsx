@@ -142,7 +142,7 @@ function Add({ onClose }: SheetProps) {
             onChange={(event) => setName(event.target.value)}
           />
         </Field>
-        <div className="sheet-foot flex gap-m">
+        <div className="sheet-foot flex gap-m justify-end">
           <Button ink type="submit">
             {t("teacher.add")}
           </Button>

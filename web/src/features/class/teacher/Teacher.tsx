@@ -45,13 +45,13 @@ function Bars({ change }: { change: () => void }) {
   const whole = pupils.filter((one) => news.goals.length > 0 && met(one) === news.goals.length).length;
   return (
     <section className="class-exercise surface slim" data-testid="class-exercise">
-      <header>
+      <header className="row wrap">
         <Icon name="graduation-cap" size={18} />
         <h2 className="heading">{news.exercise === "" ? t("teacher.no-exercise") : text(news.exercise_label)}</h2>
         <span className="class-muted muted small-text">
           {news.exercise === "" ? t("teacher.no-exercise-help") : t("teacher.all-met", { done: whole, count })}
         </span>
-        <Button testId="change-exercise" onClick={change}>
+        <Button className="to-end" testId="change-exercise" onClick={change}>
           {t(news.exercise === "" ? "teacher.choose-exercise" : "teacher.change-exercise")}
         </Button>
       </header>
@@ -92,7 +92,7 @@ function Choice({ field }: { field: RefObject<HTMLInputElement | null> }) {
           <button
             key={one}
             type="button"
-            className="tool tool-named rigid nowrap medium gap-m"
+            className="tool tool-named rigid nowrap medium gap-m relative"
             aria-pressed={filter === one}
             data-testid={`filter-${one}`}
             onClick={() => filterCards(one)}
@@ -238,7 +238,7 @@ export function Teacher() {
       <div className="class-middle fill flex">
         <main className="class-main grow scroll" aria-label={t("teacher.cards")}>
           {pupils.length === 0 ? (
-            <div className="class-empty gap-xl" data-testid="class-empty">
+            <div className="class-empty gap-xl text-centre" data-testid="class-empty">
               <Bars change={() => setSheet("exercise")} />
               <JoinCard large />
               <p>{news === null ? "" : t("teacher.empty")}</p>

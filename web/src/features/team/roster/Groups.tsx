@@ -34,7 +34,7 @@ function GroupCard({ group, at }: { group: TeamGroup; at: number }) {
             places={placesSaid(mission, member, cast.get(member))}
           />
         ))}
-        <span className="chip-place finger row small-text muted slim gap-s">{t("roster.drop")}</span>
+        <span className="chip-place finger row small-text muted slim gap-s justify-centre">{t("roster.drop")}</span>
       </div>
       <fieldset className="roster-card-policy column small-text">
         <legend>{t("roster.failure")}</legend>

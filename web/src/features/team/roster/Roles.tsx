@@ -74,7 +74,7 @@ function RoleCard({ role, at, players }: { role: Role; at: number; players: read
           <Chip key={agent} thing={{ name: agent, isAgent: true }} places={placesSaid(mission, agent, name)} />
         ))}
         {players.length < role.most ? (
-          <span className="chip-place finger row small-text muted slim gap-s">{t("roster.drop")}</span>
+          <span className="chip-place finger row small-text muted slim gap-s justify-centre">{t("roster.drop")}</span>
         ) : null}
       </div>
     </Card>
@@ -123,7 +123,7 @@ export function Spare() {
           <Chip key={name} thing={{ name, isAgent: true }} places={placesSaid(mission, name, undefined)} />
         ))}
         {agents.length === 0 ? (
-          <span className="chip-place finger row small-text muted slim gap-s">{t("roster.drop")}</span>
+          <span className="chip-place finger row small-text muted slim gap-s justify-centre">{t("roster.drop")}</span>
         ) : null}
       </div>
     </>

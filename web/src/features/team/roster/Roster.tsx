@@ -58,7 +58,7 @@ function Section({ what, title, none, empty, add, can, children }: SectionProps)
           }}
         />
       </header>
-      {empty ? <p className="roster-none muted small-text below">{none}</p> : null}
+      {empty ? <p className="muted small-text below">{none}</p> : null}
       <ul className="column" ref={list}>
         {children}
       </ul>

@@ -44,7 +44,7 @@ function Trouble({ name }: { name: string }) {
   const one = found ?? elsewhere;
   if (one === undefined) return null;
   return (
-    <p className="roster-card-trouble small-text flex gap-s" role="status" data-testid={`trouble-${name}`}>
+    <p className="roster-card-trouble small-text flex gap-s items-start" role="status" data-testid={`trouble-${name}`}>
       <Icon name={one.severity === "error" ? "octagon-x" : "triangle-alert"} size={14} />{" "}
       <span>
         <Said text={sentence(one.message)} />
