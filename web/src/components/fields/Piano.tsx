@@ -61,7 +61,14 @@ export function Piano({ field, value, label, set, leave, onFocus }: ControlProps
   const middle = octave === 4 ? t("fields.middle-octave") : t("fields.octave", { number: octave });
   return (
     <span className="field-piano column gap-m">
-      <span ref={keys} className="piano relative" role="radiogroup" aria-label={label} onKeyDown={onKeyDown} onFocus={onFocus}>
+      <span
+        ref={keys}
+        className="piano relative"
+        role="radiogroup"
+        aria-label={label}
+        onKeyDown={onKeyDown}
+        onFocus={onFocus}
+      >
         {KEYS.map((key) => (
           <button
             key={key}

@@ -26,7 +26,11 @@ const WORDS = {
 function Goal({ label, mark, at }: { label: string; mark: Mark; at: number }) {
   const seconds = mark.seconds === null ? null : mark.seconds.toFixed(1);
   return (
-    <li className="exercise-goal wrap flex items-start" data-state={mark.state} data-testid={`exercise-goal-${String(at + 1)}`}>
+    <li
+      className="exercise-goal wrap flex items-start"
+      data-state={mark.state}
+      data-testid={`exercise-goal-${String(at + 1)}`}
+    >
       <Icon name={ICONS[mark.state]} size={18} label={t(WORDS[mark.state])} />
       <span className="exercise-goal-words column slim">
         <span>{label}</span>

@@ -30,7 +30,10 @@ export function Part({ drawing, spot }: { drawing: Drawing; spot: Spot }) {
         <Tile icon={icon} colour={shape.colour} size={22} />
         <h2>{title(shape)}</h2>
         {!places || shape.kind === "unknown" || shape.element === title(shape) ? null : (
-          <code className="inspector-element ellipsis muted slim code-text" title={t("fields.in-lll", { name: shape.element })}>
+          <code
+            className="inspector-element ellipsis muted slim code-text"
+            title={t("fields.in-lll", { name: shape.element })}
+          >
             {shape.element}
           </code>
         )}
@@ -39,7 +42,9 @@ export function Part({ drawing, spot }: { drawing: Drawing; spot: Spot }) {
       </header>
       <BlockEditor drawing={drawing} spot={spot} />
       {shape.kind === "unknown" ? (
-        <p className="inspector-help muted small-text below prose">{t("inspector.unknown", { element: shape.element })}</p>
+        <p className="inspector-help muted small-text below prose">
+          {t("inspector.unknown", { element: shape.element })}
+        </p>
       ) : null}
       {help === "" ? null : <p className="inspector-help muted small-text below prose">{help}</p>}
       <Branches block={spot.block} />

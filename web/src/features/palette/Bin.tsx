@@ -8,7 +8,12 @@ export function Bin() {
   const away = useDrag((drag) => drag.away);
   if (!open) return null;
   return (
-    <div className="palette-bin column bold muted justify-centre text-centre" data-away={away} data-testid="parts-bin" aria-hidden="true">
+    <div
+      className="palette-bin column bold muted justify-centre text-centre"
+      data-away={away}
+      data-testid="parts-bin"
+      aria-hidden="true"
+    >
       <Icon name="trash-2" size={24} />
       {t("parts.throw-away")}
     </div>
