@@ -109,7 +109,7 @@ function MissionDifference() {
     return (
       <Sheet title={t("merge.title")} testId="merge-dialog" wide onClose={closeOverlay}>
         <p>{t("merge.intro")}</p>
-        <ul data-testid="conflicts" className="merge-conflicts">
+        <ul data-testid="conflicts">
           {merged.conflicts.map((conflict) => (
             <Conflict
               key={conflict.name}

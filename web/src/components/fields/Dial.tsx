@@ -108,7 +108,7 @@ export function Dial({ field, value, label, set, leave, onFocus }: ControlProps)
         </g>
         <circle className="dial-handle" cx={hx} cy={hy} r="8" />
       </svg>
-      <span className="dial-side column gap-m grow">
+      <span className="column gap-m grow">
         <span className="muted">
           {name === undefined ? (rounds > 0 ? t("fields.rounds", { count: rounds }) : "") : t(name)}
         </span>

@@ -74,7 +74,7 @@ function Answers() {
   return (
     <>
       <Verdict />
-      {changed ? <p className="check-lines warning">{t("check.changed")}</p> : null}
+      {changed ? <p className="warning">{t("check.changed")}</p> : null}
       <AnswerTable />
       <Limits />
     </>

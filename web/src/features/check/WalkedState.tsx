@@ -86,7 +86,7 @@ function State({ state, mission }: { state: StateWalk; mission: Mission }) {
           <strong>{t("walk.state", { number: grouped(places.length) })}</strong> <Sentences texts={happened} />
         </p>
         {situation.map((sentence, index) => (
-          <p key={index} className="walk-situation row gap-xs items-start">
+          <p key={index} className="row gap-xs items-start">
             <Icon name="triangle-alert" size={16} />
             <span>
               <Said text={sentence} />

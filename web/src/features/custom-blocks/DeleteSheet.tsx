@@ -52,7 +52,7 @@ export function DeleteSheet({ name }: { name: string }) {
   return (
     <Sheet title={t("own.delete-title", { name })} testId="own-delete" onClose={closeSheet}>
       <p>{t("own.used", { count })}</p>
-      <ul className="own-uses">
+      <ul>
         {uses.map(({ program, vertices }) => (
           <li key={program}>
             <button

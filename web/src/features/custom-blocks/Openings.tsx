@@ -66,7 +66,7 @@ function Row({ opening, depth, program, onChange }: RowProps) {
   const what = offer.slot === "" ? t("own.open-vertex", { part }) : t("own.open-slot", { slot, part });
   return (
     <li style={{ paddingInlineStart: depth * 16 }} data-testid={`opening-${opening.key.replace(" ", "-")}`}>
-      <Checkbox className="own-check" checked={on} disabled={offer.is_open} set={(on) => onChange({ on })}>
+      <Checkbox checked={on} disabled={offer.is_open} set={(on) => onChange({ on })}>
         <span>{what}</span>
         <span className="muted small-text to-end">{offer.is_open ? t("own.must") : now}</span>
       </Checkbox>

@@ -164,7 +164,7 @@ export function SaveSheet({ program, vertices }: { program: string; vertices: st
           </div>
         </div>
         {offered === null ? null : <Openings program={program} openings={openings} onChange={setOpenings} />}
-        <Checkbox className="own-check" testId="own-in-place" checked={inPlace} set={setInPlace}>
+        <Checkbox testId="own-in-place" checked={inPlace} set={setInPlace}>
           {t("own.in-place")}
         </Checkbox>
         <SheetEnd why={failure} keep={t("own.saving")} disabled={wish === null || failure !== ""} />

@@ -45,7 +45,7 @@ export function Slots({ slots, onChange }: SlotsProps) {
           };
           return (
             <li key={slot.name} data-testid={`slot-${slot.name}`}>
-              <div className="own-slot row">
+              <div className="row">
                 <code dir="ltr">{`{${slot.name}}`}</code>
                 <span className="muted small-text to-end">{t(`own.kind-${slot.kind}` as Key)}</span>
               </div>

@@ -14,7 +14,7 @@ const MOST_OFFERED = 200;
 export function Axes({ choices }: { choices: ExperimentChoices }) {
   const axes = useVaried((varied) => varied.axes);
   return (
-    <fieldset className="experiment-axes">
+    <fieldset>
       <legend className="muted small-text">{t("experiment.varies")}</legend>
       {axes.length === 0 ? <p className="prose muted">{t("experiment.nothing-varies")}</p> : null}
       <ul className="column">

@@ -62,7 +62,7 @@ function StudyMap({ study, measure, rows, columns, caption, holds }: MapProps) {
   const name = measureWords(study.measures[measure] ?? "");
   const about = t("experiment.map", { measure: name, rows: down?.address ?? "", columns: across?.address ?? "" });
   return (
-    <div className="experiment-map-box">
+    <div>
       <table
         className="experiment-map small-text"
         role="grid"

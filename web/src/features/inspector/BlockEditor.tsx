@@ -27,7 +27,7 @@ export function BlockEditor({ drawing, spot }: { drawing: Drawing; spot: Spot })
   const { block } = spot;
   const plug = spot.kind === "slot" ? spot.owner.block.shape.plugs.find((one) => one.name === spot.slot) : undefined;
   return (
-    <div className="inspector-rows">
+    <div>
       {spot.kind === "slot" && plug !== undefined && plug.accepts !== "action" ? (
         <SlotRow drawing={drawing} owner={spot.owner.block} plug={plug} label={t("inspector.method")} />
       ) : null}
@@ -83,7 +83,7 @@ function ValueRow({ drawing, block, field }: { drawing: Drawing; block: Block; f
   return (
     <div className="field-row row">
       <span className="field-label rigid">{text(field.label, field.name)}</span>
-      <span className="inspector-plugged muted grow">{t("inspector.from-value", { what: wordsOf(filler) })}</span>
+      <span className="muted grow">{t("inspector.from-value", { what: wordsOf(filler) })}</span>
       <Tool
         small
         icon="x"

@@ -34,7 +34,7 @@ function Editor({ drawing, vertex }: { drawing: Drawing; vertex: string }) {
     if (command !== null) execute(command);
   };
   return (
-    <section className="breakpoint-editor inspector-part" aria-label={t("debug.breakpoint")}>
+    <section className="inspector-part" aria-label={t("debug.breakpoint")}>
       <div className="breakpoint-row row gap-xl">
         <span className="breakpoint-name row">
           <span className="breakpoint-dot" data-off={breakpoint === undefined} aria-hidden="true" />

@@ -5,7 +5,7 @@ import { Tool } from "../../ui/Tool";
 
 export function Tools() {
   return (
-    <span className="inspector-tools muted flex to-end gap-2xs">
+    <span className="muted flex to-end gap-2xs">
       <Tool small icon="copy" label={t("inspector.duplicate")} onClick={duplicateSelection} />
       <Tool small icon="trash-2" label={t("inspector.delete")} onClick={deleteSelection} />
     </span>

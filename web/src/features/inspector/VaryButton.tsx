@@ -7,7 +7,7 @@ export function VaryButton({ address, name }: { address: string; name: string })
   const axis = useVaried(({ axes }) => axes.find((one) => one.address === address));
   if (!useShown("verification")) return null;
   return (
-    <div className="inspector-vary row small-text justify-end">
+    <div className="row small-text justify-end">
       <button
         type="button"
         className="inspector-vary-button finger muted boxed"

@@ -167,7 +167,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
           </>
         )}
       </p>
-      <div className="variable-foot wrap flex gap-m justify-end">
+      <div className="wrap flex gap-m justify-end">
         <Button testId="variable-cancel" onClick={close}>
           {t("variable.cancel")}
         </Button>

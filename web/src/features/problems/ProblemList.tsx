@@ -65,7 +65,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
       {play === null ? null : (
         <button
           type="button"
-          className="button problem-fix gap-s"
+          className="button problem-fix"
           data-testid={`show-${String(index + 1)}`}
           disabled={held}
           title={held ? t("check.real") : undefined}
@@ -82,7 +82,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
       {canFix(problem) ? (
         <button
           type="button"
-          className="button problem-fix gap-s"
+          className="button problem-fix"
           data-testid={`fix-${String(index + 1)}`}
           title={`${t("problems.fix")} (${FIX_KEY})`}
           aria-label={t("problems.fix-this", { message: sentence(problem.message) })}

@@ -106,7 +106,6 @@ export function RunStatus() {
       {cut ? <Whole text={said} /> : null}
       {edited ? (
         <span
-          className="run-status-edited"
           role="img"
           aria-label={t("run.edited-since")}
           title={t("run.edited-since")}

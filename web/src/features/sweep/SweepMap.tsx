@@ -96,7 +96,7 @@ export function SweepMap({ swept }: { swept: Swept }) {
             {t(`sweep.${ending}`)} <strong>{grouped(counts[ending])}</strong>
           </li>
         ))}
-        {counts.done === map.total ? <li className="sweep-all bold">{t("sweep.all-done")}</li> : null}
+        {counts.done === map.total ? <li className="bold">{t("sweep.all-done")}</li> : null}
       </ul>
       <p className="prose muted" id="sweep-how">
         {t(handKey("sweep.how"))}

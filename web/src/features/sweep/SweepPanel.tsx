@@ -23,7 +23,7 @@ export function SweepPanel() {
   const refused = useSweep((sweep) => sweep.refused);
   return (
     <DockPanel id="sweep-panel" testId="sweep" title={t("sweep.title")} close={t("sweep.close")}>
-      <div className="sweep-body dock-body column gap-m">
+      <div className="dock-body column gap-m">
         <Asking />
         <Refused refused={refused} />
         {swept === null ? null : <SweepMap swept={swept} />}

@@ -52,7 +52,7 @@ export function Things({ world }: { world: OwnWorld }) {
   };
   if (things.length === 0) return <p className="world-empty">{t("world.nothing")}</p>;
   return (
-    <section className="world-things" aria-labelledby="world-things">
+    <section aria-labelledby="world-things">
       <h2 id="world-things">{t("world.things-title")}</h2>
       <ul role="tree" aria-labelledby="world-things" aria-multiselectable="true" ref={tree} onKeyDown={onKeyDown}>
         {groups.map(({ kind, count }) => (

@@ -26,7 +26,7 @@ function FromFile({ templates }: { templates: () => void }) {
   const world = useStudio((studio) => studio.world);
   const href = useStudio((studio) => studio.mission.world);
   return (
-    <section className="world-note" aria-labelledby="world-from-file">
+    <section aria-labelledby="world-from-file">
       <h2 id="world-from-file">{world?.name ?? t("world.tab")}</h2>
       <p>{href === "" ? t("world.of-empty") : t("world.of-file", { file: href })}</p>
       <p>{t("world.copy-help")}</p>

@@ -65,7 +65,7 @@ export function Watched() {
 }
 
 function Readings({ robot, agent }: { robot: Robot | undefined; agent: RunAgent | undefined }) {
-  if (agent === undefined) return <p className="stage-watched-none muted small-text">{t("arena.no-readings")}</p>;
+  if (agent === undefined) return <p className="muted small-text">{t("arena.no-readings")}</p>;
   const sensors = (robot?.objects ?? []).filter(({ name, category }) => category === "sensor" && name in agent.inputs);
   const shown = indicatorsOf(robot, agent.shown);
   return (

@@ -37,7 +37,7 @@ export function JoinCard({ large, onLarge }: { large: boolean; onLarge?: () => v
   return (
     <section className="class-join surface row rigid gap-2xl" data-large={large} data-testid="class-join">
       <Qr rows={news.qr} />
-      <div className="class-join-words column slim">
+      <div className="column slim">
         <span className="class-muted muted small-text">{t("teacher.join-at")}</span>
         <code className="breakable" dir="ltr">
           {address}

@@ -158,7 +158,7 @@ function Turn({ folder, copy }: { folder: string; copy: string }) {
     );
   }
   return (
-    <p className="class-turn row wrap wide" role="status" data-testid="turn">
+    <p className="row wrap wide" role="status" data-testid="turn">
       {t(turn === "asked" ? "teacher.asked-to-edit" : "teacher.may-edit", { name })}{" "}
       {turn === "asked" ? null : (
         <a className="button button-ink" href={copy} target="_blank" rel="noopener" data-testid="edit">
