@@ -28,7 +28,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
   const held = useRun(isHeldByRobots);
   const place = problem.program !== "" ? problem.program : (problem.file.split(/[\\/]/).at(-1) ?? "");
   return (
-    <li className="aligned">
+    <li className="problem-row aligned">
       <button
         type="button"
         ref={button}

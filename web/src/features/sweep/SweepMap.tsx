@@ -80,10 +80,10 @@ export function SweepMap({ swept }: { swept: Swept }) {
       <p className="prose muted">
         {t("sweep.baseline")} <Said text={map.sentence} />
       </p>
-      {changed ? <p className="prose warning">{t("sweep.changed")}</p> : null}
-      {held ? <p className="prose warning">{t("sweep.real")}</p> : null}
+      {changed ? <p className="sweep-warning prose warning">{t("sweep.changed")}</p> : null}
+      {held ? <p className="sweep-warning prose warning">{t("sweep.real")}</p> : null}
       {counts.none > 0 ? (
-        <p className="prose warning">
+        <p className="sweep-warning prose warning">
           {t("sweep.cut", { done: grouped(map.fields.length), total: grouped(map.total) })}
         </p>
       ) : null}

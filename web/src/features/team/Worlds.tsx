@@ -106,7 +106,7 @@ export function Worlds() {
         </Button>
       </p>
       {missing ? (
-        <p className="team-note row wrap" role="status">
+        <p className="team-note team-hint row wrap" role="status">
           <Icon name="triangle-alert" size={16} /> {t("team.world-missing", { name: chosen })}
         </p>
       ) : null}
