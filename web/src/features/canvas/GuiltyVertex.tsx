@@ -25,7 +25,7 @@ export function GuiltyVertex({ mark }: { mark: GuiltyMark }) {
       <span className="guilty-pills flex gap-xs">
         {repeats && names !== "" ? (
           <span
-            className="guilty-pill row nowrap figures gap-xs"
+            className="guilty-pill row nowrap gap-xs"
             data-ink=""
             title={t("guilty.repeats", { robots: robots.join(", ") })}
           >
@@ -34,7 +34,7 @@ export function GuiltyVertex({ mark }: { mark: GuiltyMark }) {
           </span>
         ) : null}
         {last.length === 0 ? null : (
-          <span className="guilty-pill row nowrap figures gap-xs" title={t("guilty.steps", { steps: last.join(", ") })}>
+          <span className="guilty-pill row nowrap gap-xs" title={t("guilty.steps", { steps: last.join(", ") })}>
             {last.join(" ")}
           </span>
         )}
