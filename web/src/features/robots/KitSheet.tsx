@@ -128,7 +128,7 @@ function Question({ address }: { address: string }) {
           <li key={kit}>
             <button
               type="button"
-              className="kit-card card surface column wide gap-2xs"
+              className="kit-card card surface column wide breakable gap-2xs"
               data-testid="kit-card"
               data-kit={kit}
               aria-pressed={kit === chosen}
