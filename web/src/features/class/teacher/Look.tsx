@@ -211,7 +211,7 @@ export function Look({ now }: { now: number }) {
         <h2 className="heading ellipsis" dir="auto">
           {name}
         </h2>
-        <span className="class-muted muted small-text" dir="auto">
+        <span className="class-muted muted small-text ellipsis" dir="auto">
           {file}
         </span>
         <span className="small-text bold rigid inline-row gap-s">
