@@ -105,12 +105,7 @@ export function RunStatus() {
       </span>
       {cut ? <Whole text={said} /> : null}
       {edited ? (
-        <span
-          role="img"
-          aria-label={t("run.edited-since")}
-          title={t("run.edited-since")}
-          data-testid="edited-since"
-        >
+        <span role="img" aria-label={t("run.edited-since")} title={t("run.edited-since")} data-testid="edited-since">
           <Icon name="pencil" size={14} />
         </span>
       ) : null}
