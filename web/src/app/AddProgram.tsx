@@ -30,7 +30,7 @@ export function AddProgram() {
   const robots = useStudio((studio) => studio.catalogue.robots);
   if (robots.length === 0) return null;
   return (
-    <span className="add-program row rigid">
+    <span className="add-program rigid aligned">
       <MenuButton
         id="add-program"
         label={t("tabs.add")}

@@ -107,7 +107,7 @@ function Side() {
     return { flex: `0 1 ${size === 0 ? "auto" : `${String(size)}px`}` };
   };
   return (
-    <div className="side" data-beside={beside} style={beside ? {} : { width: sizes.side }}>
+    <div className="side column rigid slim" data-beside={beside} style={beside ? {} : { width: sizes.side }}>
       {folded.inspector ? null : (
         <section className="side-part side-inspector column" style={flex("inspector")} aria-label={t("view.inspector")}>
           <PanelSlot place="inspector" />
@@ -172,8 +172,8 @@ function Studio() {
         for (const { takeFiles } of FEATURES) takeFiles?.(files);
       }}
     >
-      <header className="head">
-        <div className="head-menu row">
+      <header className="head rigid relative">
+        <div className="head-menu aligned relative">
           <Brand />
           <MenuBar menus={menus} />
           <Title />
@@ -185,19 +185,19 @@ function Studio() {
       <Slot name="banner" />
       <div className="middle" inert={covered}>
         {folded.palette ? null : (
-          <nav className="parts-frame rigid" aria-label={t("app.parts")}>
+          <nav className="parts-frame rigid flex slim" aria-label={t("app.parts")}>
             <div className="parts" style={{ width: sizes.palette }}>
               {ready ? <PanelSlot place="palette" /> : null}
             </div>
             <Separator edge="palette" label={t("view.palette")} along="x" />
           </nav>
         )}
-        <main className="centre column" aria-label={t("app.canvas")}>
-          {ready ? <Tabs /> : <div className="tabs" />}
+        <main className="centre column grow relative" aria-label={t("app.canvas")}>
+          {ready ? <Tabs /> : <div className="tabs rigid flex" />}
           <Slot name="above" />
-          <div className="centre-panel">
+          <div className="fill relative">
             <div
-              className="canvas-panel"
+              className="canvas-panel cover"
               id="canvas-panel"
               role="tabpanel"
               aria-label={t("app.canvas")}
@@ -211,13 +211,13 @@ function Studio() {
           <Dock />
         </main>
         {side ? (
-          <aside className="side-frame rigid" aria-label={t("app.side")}>
+          <aside className="side-frame rigid flex slim" aria-label={t("app.side")}>
             <Separator edge="side" label={t("app.side")} along="x" sense={-1} />
             <Side />
           </aside>
         ) : null}
       </div>
-      <footer className="bottom-bar row rigid" inert={covered}>
+      <footer className="bottom-bar rigid aligned" inert={covered}>
         <Slot name="bottom" />
       </footer>
       <Slot name="over-page" />

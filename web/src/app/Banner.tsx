@@ -19,7 +19,7 @@ function Strip({ said, onClose }: { said: Notice; onClose: () => void }) {
   return (
     <div
       ref={strip}
-      className={`banner row rigid banner-${said.kind}`}
+      className={`banner row rigid gap-xl banner-${said.kind}`}
       role={said.kind === "note" ? "status" : "alert"}
       data-testid="banner"
       onKeyDown={asks ? (event) => event.key === "Escape" && onClose() : undefined}
@@ -50,7 +50,7 @@ function CutOff() {
     ? (["link.silent", "link.silent-help"] as const)
     : (["error.offline", "error.offline-help"] as const);
   return (
-    <div className="banner banner-error row rigid" role="alert" data-testid="cut-off">
+    <div className="banner banner-error row rigid gap-xl" role="alert" data-testid="cut-off">
       <Icon name="triangle-alert" size={18} />
       <p>
         <strong>

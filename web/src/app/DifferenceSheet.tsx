@@ -110,7 +110,7 @@ function MissionDifference() {
     return (
       <Sheet title={t("merge.title")} testId="merge-dialog" wide onClose={closeOverlay}>
         <p>{t("merge.intro")}</p>
-        <ul data-testid="conflicts" className="merge-conflicts">
+        <ul data-testid="conflicts">
           {merged.conflicts.map((conflict) => (
             <Conflict
               key={conflict.name}
@@ -126,7 +126,7 @@ function MissionDifference() {
             />
           ))}
         </ul>
-        <div className="sheet-foot">
+        <div className="sheet-foot flex gap-m justify-end">
           <Button onClick={closeOverlay}>{t("open.cancel")}</Button>
           <Button
             ink
@@ -161,7 +161,7 @@ function MissionDifference() {
           {base === null ? (
             <p className="sheet-note muted small-text">{t("merge.no-base")}</p>
           ) : (
-            <div className="sheet-foot">
+            <div className="sheet-foot flex gap-m justify-end">
               <Button testId="merge" onClick={() => merge({ base, mission: useStudio.getState().mission }, [], true)}>
                 {t("merge.merge")}
               </Button>

@@ -97,7 +97,7 @@ export function MenuBar({ menus: all }: { menus: MenuPart[] }) {
   };
 
   return (
-    <div className="menubar" role="menubar" aria-label={t("menu.bar")} ref={bar}>
+    <div className="menubar flex slim" role="menubar" aria-label={t("menu.bar")} ref={bar}>
       {[...all, common].map((menu, place) => {
         // The menu in common stands behind those that are shown; the others wait in the page to be measured.
         const last = menu === common;
@@ -105,7 +105,7 @@ export function MenuBar({ menus: all }: { menus: MenuPart[] }) {
         const there = index >= 0;
         return (
           <div
-            className="menubar-part rigid"
+            className="menubar-part rigid relative"
             key={menu.id}
             role="none"
             {...(last ? { "data-folded": "" } : place === 0 ? {} : { "data-fold": all.length - place })}
@@ -113,7 +113,7 @@ export function MenuBar({ menus: all }: { menus: MenuPart[] }) {
             <button
               type="button"
               role="menuitem"
-              className="menubar-title small-text"
+              className="menubar-title small-text nowrap medium focus-inside"
               {...(there ? { "data-title": "" } : {})}
               data-testid={`menu-${menu.id}`}
               aria-haspopup="menu"

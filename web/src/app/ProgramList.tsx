@@ -77,7 +77,11 @@ function Open({ at, onLeave, onClose }: ProgramListProps) {
   };
 
   return (
-    <div className="program-list" ref={root} style={{ "--x": `${String(at.x)}px`, top: at.y } as React.CSSProperties}>
+    <div
+      className="program-list surface column"
+      ref={root}
+      style={{ "--x": `${String(at.x)}px`, top: at.y } as React.CSSProperties}
+    >
       <input
         className="field"
         role="combobox"
@@ -99,7 +103,7 @@ function Open({ at, onLeave, onClose }: ProgramListProps) {
             key={name}
             id={`${id}-${String(index)}`}
             role="option"
-            className="menu-item row"
+            className="menu-item row nowrap"
             aria-selected={index === place}
             {...(name === active ? { "aria-current": true } : {})}
             title={name}

@@ -67,7 +67,7 @@ export function SaveAsSheet() {
             </>
           )}
         </p>
-        <div className="sheet-foot">
+        <div className="sheet-foot flex gap-m justify-end">
           {shown?.taken === null || shown === null ? null : (
             <Button testId="save-replace" onClick={() => void put(shown.taken ?? "")}>
               {t("save.replace")}

@@ -47,7 +47,7 @@ export function Separator({ edge, label, along, sense: given = 1 }: SeparatorPro
   };
   return (
     <div
-      className={`separator rigid separator-${along}`}
+      className={`separator rigid relative separator-${along}`}
       role="separator"
       tabIndex={0}
       aria-label={label}

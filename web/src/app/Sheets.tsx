@@ -12,7 +12,7 @@ export function AboutSheet() {
   const version = useDocument((document) => document.session?.version ?? "");
   return (
     <Sheet title={t("app.name")} testId="about-dialog" onClose={closeOverlay}>
-      <p>{t("help.about-text", { version })}</p>
+      <p className="below">{t("help.about-text", { version })}</p>
       <p>
         <a href="licenses.md" target="_blank" rel="noreferrer">
           {t("help.about-licences")}

@@ -142,7 +142,7 @@ export function ShortcutsSheet() {
                   </dt>
                   <dd>
                     {says}
-                    {also === undefined ? null : <small className="keys-also muted small-text">{also}</small>}
+                    {also === undefined ? null : <small className="keys-also muted small-text block">{also}</small>}
                   </dd>
                 </div>
               ))}

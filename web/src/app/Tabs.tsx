@@ -60,7 +60,7 @@ function NameField({ name }: { name: string }) {
   }, []);
   return (
     <input
-      className="tab-name-field"
+      className="tab-name-field field"
       style={{ left }}
       data-testid="tab-name-field"
       aria-label={t("program.name")}
@@ -90,7 +90,7 @@ function stateShown(run: RunState, program: string): AgentActivity {
 function Count({ count, sign = "" }: { count: number | undefined; sign?: string }) {
   if (count === undefined) return null;
   return (
-    <span className="tab-count muted" aria-label={t("tabs.agents", { count })}>
+    <span className="tab-count muted tiny-text" aria-label={t("tabs.agents", { count })}>
       {sign}
       {count}
     </span>
@@ -120,7 +120,7 @@ function Tab({ name, onKey }: TabProps & { name: string }) {
     <button
       type="button"
       role="tab"
-      className="tab"
+      className="tab inline-row nowrap focus-inside relative"
       id={`tab-${name}`}
       data-testid={`tab-${name}`}
       data-program={name}
@@ -142,7 +142,7 @@ function Tab({ name, onKey }: TabProps & { name: string }) {
       <Count count={count === 1 || (count === 0 && inTeam) ? undefined : count} sign="×" />
       <Errors there={errors === true} />
       {guilty ? (
-        <span className="tab-cross rigid">
+        <span className="tab-cross badge rigid">
           <Icon name="x" size={14} label={t("guilty.broken")} />
         </span>
       ) : null}
@@ -160,7 +160,7 @@ function LastTab({ tab: { name, icon, label, open, useTab }, onKey }: TabProps &
     <button
       type="button"
       role="tab"
-      className={`tab tab-${name}`}
+      className={`tab inline-row nowrap relative tab-${name}`}
       id={`tab-of-${name}`}
       title={t(label)}
       data-testid={`tab-of-${name}`}
@@ -184,10 +184,10 @@ function MorePrograms({ hidden }: { hidden: number }) {
   const button = useRef<HTMLButtonElement>(null);
   const leave = useCallback(() => setAt(null), []);
   return (
-    <div className="more-programs row rigid" data-folded="">
+    <div className="more-programs rigid aligned" data-folded="">
       <button
         type="button"
-        className="tool tool-named rigid"
+        className="tool tool-named rigid nowrap medium gap-m relative"
         ref={button}
         title={t("tabs.all")}
         aria-haspopup="listbox"
@@ -252,16 +252,16 @@ export function Tabs() {
   };
 
   return (
-    <div className="tabs">
+    <div className="tabs rigid flex">
       <div
-        className="tabs-scroll row"
+        className="tabs-scroll aligned relative"
         ref={row}
         onWheel={(event) => {
           if (event.deltaX === 0) event.currentTarget.scrollLeft += event.deltaY * (mirrored() ? -1 : 1);
         }}
       >
         <div
-          className="tabs-list"
+          className="tabs-list flex gap-m"
           role="tablist"
           aria-label={t("tabs.label")}
           aria-owns={TABS.map(({ name }) => `tab-of-${name}`).join(" ")}

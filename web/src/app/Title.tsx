@@ -33,7 +33,7 @@ export function Title() {
             ? t("recording.title")
             : t(lost ? "file.unknown" : changed ? "file.changed" : "file.saved");
   return (
-    <div className="title" data-testid="title">
+    <div className="title muted small-text flex nowrap gap-m justify-centre" data-testid="title">
       <h1 title={name} dir="auto">
         {name}
       </h1>

@@ -43,8 +43,8 @@ export function Toolbar({ menus }: { menus: MenuPart[] }) {
   const { canUndo, canRedo, undoLabel, redoLabel } = useStudio();
   const { undo, redo } = useStudio.getState();
   return (
-    <div className="toolbar row">
-      <div className="tools" role="toolbar" aria-label={t("menu.run")} ref={tools}>
+    <div className="toolbar aligned">
+      <div className="tools row slim gap-xs" role="toolbar" aria-label={t("menu.run")} ref={tools}>
         <Tool
           icon="undo-2"
           label={undoLabel === "" ? t("edit.undo") : t("edit.undo-what", { what: undoLabel })}
@@ -83,7 +83,7 @@ export function TeamStop() {
   return (
     <button
       type="button"
-      className="team-stop row"
+      className="team-stop row start-text gap-xl hover framed justify-centre"
       data-on={on.includes(true)}
       data-testid="team-stop"
       title={`${t("stop.label")} (${keyFor.page(STOP_KEY)})`}

@@ -20,7 +20,7 @@ export function DockButton({ icon, testId, panel, title, busy, children }: DockB
   return (
     <button
       type="button"
-      className="dock-button"
+      className="dock-button inline-row medium hover"
       data-testid={testId}
       aria-expanded={open}
       aria-controls={panel}

@@ -21,7 +21,7 @@ export function Doors() {
         <button
           key={sheet}
           type="button"
-          className="door row"
+          className="door row start-text hover framed"
           data-testid={`door-${sheet}`}
           aria-current={open === sheet ? "page" : undefined}
           onClick={() => show(sheet)}

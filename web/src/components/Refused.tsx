@@ -14,7 +14,7 @@ export function Refused({ refused }: { refused: WhyRefused | null }) {
   if (refused === null) return null;
   const errors = refused.problems.filter(({ severity }) => severity === "error");
   return (
-    <div className="refused" role="alert" data-testid="refused">
+    <div className="refused prose" role="alert" data-testid="refused">
       <p>
         <Said text={refused.message} /> <Said text={refused.help} />
       </p>

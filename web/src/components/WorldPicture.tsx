@@ -54,14 +54,14 @@ export function GraphPicture({ program }: { program: Program }) {
 function NodeShape({ node }: { node: LayoutNode }) {
   const { kind, colour, x, y, w, h } = node;
   if (kind === "hexagon") return <polygon className="picture-node" data-colour={colour} points={hexagonPoints(node)} />;
-  if (kind === "place") return <rect className="picture-place" x={x} y={y} width={w} height={h} rx={8} />;
+  if (kind === "place") return <rect className="picture-place unscaled" x={x} y={y} width={w} height={h} rx={8} />;
   const end = kind === "start" || kind === "stop";
   const flat = kind === "bar" || kind === "barEnd";
   // A bar is thin on its box; here the box would be a slab.
   const height = flat ? 12 : h;
   return (
     <rect
-      className={end ? "picture-end" : "picture-node"}
+      className={end ? "picture-end unscaled" : "picture-node"}
       data-colour={colour}
       x={x}
       y={y + (h - height) / 2}
@@ -123,7 +123,7 @@ export function WorldPicture({ world, agents, children }: WorldPictureProps) {
         />
       ))}
       {world.walls.map(({ x1, y1, x2, y2 }, index) => (
-        <line key={index} className="picture-wall" x1={x1} y1={height - y1} x2={x2} y2={height - y2} />
+        <line key={index} className="picture-wall unscaled" x1={x1} y1={height - y1} x2={x2} y2={height - y2} />
       ))}
       {(world.zones ?? []).map((zone, index) => {
         const [x, y] = [zone.x_mm, height - zone.y_mm];
@@ -137,7 +137,7 @@ export function WorldPicture({ world, agents, children }: WorldPictureProps) {
           key={house.name}
           transform={`translate(${String(house.x_mm)} ${String(height - house.y_mm - house.height_mm)})`}
         >
-          <rect className="picture-house" width={house.width_mm} height={house.height_mm} rx="12" />
+          <rect className="picture-house unscaled" width={house.width_mm} height={house.height_mm} rx="12" />
           {Array.from({ length: Math.min(house.stock, 12) }, (_, k) => (
             <rect
               key={k}
@@ -157,8 +157,8 @@ export function WorldPicture({ world, agents, children }: WorldPictureProps) {
             key={name}
             transform={`translate(${String(x_mm)} ${String(height - y_mm)}) rotate(${String((-heading_rad * 180) / Math.PI)}) scale(${String(size / 54)})`}
           >
-            <rect className="picture-robot" x="-27" y="-19" width="54" height="38" rx="9" />
-            <path className="picture-front" d="M14 -11V11" />
+            <rect className="picture-robot unscaled" x="-27" y="-19" width="54" height="38" rx="9" />
+            <path className="picture-front unscaled" d="M14 -11V11" />
           </g>
         ))}
       {children}

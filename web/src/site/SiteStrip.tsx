@@ -66,7 +66,7 @@ export function SiteStrip() {
   const [label, act] = told.action ?? [null, () => undefined];
   return (
     <div
-      className={`site-strip row site-${told.kind}`}
+      className={`site-strip row gap-xl site-${told.kind}`}
       data-testid="site"
       role={told.kind === "note" ? "status" : "alert"}
     >

@@ -3,12 +3,16 @@ import { describe, expect, it } from "vitest";
 import contrastCss from "./tokens-contrast.css?raw";
 import tokensCss from "./tokens.css?raw";
 
-/** The colours of a block of CSS by name; those given as six hex digits. */
+const ALIASES = [...tokensCss.matchAll(/--([\w-]+-tile): var\(--([\w-]+-line)\);/g)];
+
+/** The colours of a block of CSS by name: those given as six hex digits, and those that are another one of them. */
 function coloursAfter(css: string, selector: string): Record<string, string> {
   const block = css.slice(css.indexOf(selector)).split("}")[0] ?? "";
-  return Object.fromEntries(
+  const colours = Object.fromEntries(
     [...block.matchAll(/--([\w-]+): (#[0-9a-f]{6});/g)].map(([, name = "", value = ""]) => [name, value]),
   );
+  for (const [, name = "", other = ""] of ALIASES) colours[name] ??= colours[other] ?? "";
+  return colours;
 }
 
 function luminance(colour: string): number {

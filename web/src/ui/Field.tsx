@@ -10,7 +10,7 @@ interface FieldProps {
 export function Field({ label, className, children }: FieldProps) {
   return (
     <label className={className}>
-      <span className="field-label muted small-text rigid">{label}</span>
+      <span className="field-title muted small-text rigid">{label}</span>
       {children}
     </label>
   );

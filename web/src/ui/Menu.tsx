@@ -60,12 +60,12 @@ export function Menu({ id, label, entries, onClose, onAside }: MenuProps) {
   };
 
   return (
-    <ul className="menu" id={id} role="menu" aria-label={label} ref={list} onKeyDown={onKeyDown}>
+    <ul className="menu surface scroll" id={id} role="menu" aria-label={label} ref={list} onKeyDown={onKeyDown}>
       {entries.map((entry, index) => {
         if (entry.kind === "line") return <li key={entry.id} role="separator" className="menu-line" />;
         if (entry.kind === "heading") {
           return (
-            <li key={entry.id} role="presentation" className="menu-heading muted">
+            <li key={entry.id} role="presentation" className="menu-heading muted tiny-text">
               {entry.label}
             </li>
           );
@@ -74,7 +74,7 @@ export function Menu({ id, label, entries, onClose, onAside }: MenuProps) {
           <li
             key={entry.id}
             role={ROLES[entry.kind]}
-            className="menu-item row"
+            className="menu-item row nowrap"
             tabIndex={-1}
             data-at={index}
             data-testid={`menu-${entry.id}`}
@@ -87,7 +87,7 @@ export function Menu({ id, label, entries, onClose, onAside }: MenuProps) {
               {entry.kind !== "item" && entry.checked === true ? <Icon name="check" size={14} /> : null}
             </span>
             {entry.picture === undefined ? null : <span className="menu-picture rigid">{entry.picture}</span>}
-            <span className="menu-label">{entry.label}</span>
+            <span className="menu-label grow">{entry.label}</span>
             {entry.keys === undefined ? null : (
               <kbd className="menu-keys muted" aria-hidden="true">
                 {entry.keys}

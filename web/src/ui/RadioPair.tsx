@@ -15,7 +15,7 @@ interface RadioPairProps {
 export function RadioPair({ legend, words, testIds, second, choose }: RadioPairProps) {
   const name = useId();
   return (
-    <fieldset className="sheet-choice">
+    <fieldset className="sheet-choice boxed">
       <legend>{legend}</legend>
       {([0, 1] as const).map((at) => (
         <Checkbox

@@ -49,7 +49,7 @@ export function Sheet({ title, testId, children, wide = false, onClose }: SheetP
       }}
     >
       <div className="sheet-body">
-        <div className="sheet-head row">
+        <div className="sheet-head between aligned">
           <h2 id={`${testId}-title`}>{title}</h2>
           <Tool small icon="x" label={t("help.close")} titled={false} onClick={onClose} />
         </div>

@@ -44,10 +44,10 @@ export function Choices({ field, value, label, set, leave, onFocus, testid, focu
     group.current?.querySelector<HTMLElement>(`[data-value="${String(next.value)}"]`)?.focus();
   };
   return (
-    <span className="field-choices" data-look={look}>
+    <span className="field-choices flex gap-xl items-start" data-look={look}>
       <span
         ref={group}
-        className="choices"
+        className="choices wrap flex gap-s grow"
         role="radiogroup"
         aria-label={label}
         data-testid={testid}
@@ -71,7 +71,7 @@ export function Choices({ field, value, label, set, leave, onFocus, testid, focu
               onClick={() => set(one.value)}
             >
               {look === "colour" ? (
-                <span className="choice-patch" style={{ background: one.colour }}>
+                <span className="choice-patch centred" style={{ background: one.colour }}>
                   {one === chosen ? <Icon name="check" size={16} /> : null}
                 </span>
               ) : one.icon || one.lights ? (
@@ -83,7 +83,7 @@ export function Choices({ field, value, label, set, leave, onFocus, testid, focu
         })}
       </span>
       {look === "lights" && chosen !== undefined ? (
-        <span className="choices-large row small-text rigid" aria-hidden="true">
+        <span className="choices-large row small-text rigid text-centre" aria-hidden="true">
           <svg width="78" height="78" viewBox="-.6 -.6 6 6">
             <path className="lights-off" d={lightsPath("1".repeat(25))} />
             <path className="lights-on" d={lightsPath(chosen.lights ?? "")} />

@@ -54,7 +54,7 @@ export function Dial(props: ControlProps) {
   const rounds = Math.floor(Math.abs(degrees) / 360);
   const [hx, hy] = at(degrees, R);
   return (
-    <span className="field-dial row">
+    <span className="field-dial row gap-2xl">
       <svg
         ref={face}
         className="dial rigid"
@@ -88,11 +88,11 @@ export function Dial(props: ControlProps) {
         </g>
         <circle className="dial-handle" cx={hx} cy={hy} r="8" />
       </svg>
-      <span className="dial-side column">
-        <span className="dial-words muted">
+      <span className="column gap-m grow">
+        <span className="muted">
           {name === undefined ? (rounds > 0 ? t("fields.rounds", { count: rounds }) : "") : t(name)}
         </span>
-        <span className="field-usual wrap">
+        <span className="field-usual wrap flex gap-s">
           {usualAngles(field).map((angle) => {
             const number = Math.round(angle / field.scale);
             return (

@@ -135,9 +135,14 @@ function NumberRow(props: FieldProps) {
 
   const control = { field, value: shown, label, set: put, leave, onFocus };
   const box = (
-    <span className={wrong ? "field-number row rigid is-wrong" : "field-number row rigid"}>
+    <span
+      className={
+        wrong ? "field-number row rigid is-wrong to-end gap-s typed" : "field-number row rigid to-end gap-s typed"
+      }
+    >
       <input
         ref={input}
+        className="bare medium"
         id={id}
         type="text"
         inputMode={field.scale === 1 ? "numeric" : "decimal"}
@@ -240,7 +245,7 @@ function Control({ control, drawing, vertex, typed }: FieldProps & { control: Co
       />
     );
   const steps = field.max - field.min;
-  return look === "time" || steps <= MOST_STEPS ? <Slider {...control} /> : <span className="field-space" />;
+  return look === "time" || steps <= MOST_STEPS ? <Slider {...control} /> : <span className="grow" />;
 }
 
 function SwitchRow(props: FieldProps) {
@@ -251,7 +256,7 @@ function SwitchRow(props: FieldProps) {
   return (
     <label className="field-row row wrap">
       <span className="field-label muted small-text rigid">{text(field.label, field.name)}</span>
-      <span className="field-space" />
+      <span className="grow" />
       <span className="muted rigid">{t(on ? "parts.on" : "parts.off")}</span>
       <Switch
         on={on}
@@ -289,7 +294,7 @@ export function Switch({ on, label, testid, toggle, focused = false, onFocus, on
       ref={button}
       type="button"
       role="switch"
-      className="switch rigid"
+      className="switch rigid relative"
       data-inspector-field=""
       data-testid={testid}
       aria-checked={on}
@@ -315,7 +320,7 @@ function TextRow(props: FieldProps) {
       <input
         ref={input}
         type="text"
-        className="field-text"
+        className="field-text grow typed"
         data-inspector-field=""
         data-testid={`field-${vertex.id}.${field.name}`}
         value={vertex.settings[field.name] ?? ""}

@@ -88,7 +88,7 @@ export function NumberInput(props: NumberInputProps) {
     event.stopPropagation();
   };
   return (
-    <span className="number-input">
+    <span className="slim block relative">
       <input
         type="text"
         inputMode={whole ? "numeric" : "decimal"}

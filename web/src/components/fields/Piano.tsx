@@ -60,8 +60,15 @@ export function Piano({ field, value, label, set, leave, onFocus }: ControlProps
   };
   const middle = octave === 4 ? t("fields.middle-octave") : t("fields.octave", { number: octave });
   return (
-    <span className="field-piano column">
-      <span ref={keys} className="piano" role="radiogroup" aria-label={label} onKeyDown={onKeyDown} onFocus={onFocus}>
+    <span className="field-piano column gap-m">
+      <span
+        ref={keys}
+        className="piano relative"
+        role="radiogroup"
+        aria-label={label}
+        onKeyDown={onKeyDown}
+        onFocus={onFocus}
+      >
         {KEYS.map((key) => (
           <button
             key={key}
@@ -79,7 +86,7 @@ export function Piano({ field, value, label, set, leave, onFocus }: ControlProps
           </button>
         ))}
       </span>
-      <span className="piano-row row">
+      <span className="piano-row row gap-s">
         <button
           type="button"
           aria-label={t("fields.lower")}
@@ -89,7 +96,7 @@ export function Piano({ field, value, label, set, leave, onFocus }: ControlProps
         >
           <Icon name="chevron-left" size={16} />
         </button>
-        <span className="piano-octave">{middle}</span>
+        <span className="piano-octave text-centre">{middle}</span>
         <button
           type="button"
           aria-label={t("fields.higher")}

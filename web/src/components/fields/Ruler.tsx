@@ -27,8 +27,8 @@ export function Ruler({ sensor, ...props }: ControlProps & { sensor: RobotObject
     set(within(Math.round(min + (mirrored() ? 1 - from : from) * (max - min)), field));
   };
   return (
-    <span className="field-ruler column" {...sliderProps(props, drag, mirrored())}>
-      <span className="ruler-scale" ref={scale}>
+    <span className="field-ruler column relative" {...sliderProps(props, drag, mirrored())}>
+      <span className="ruler-scale relative" ref={scale}>
         <span className="ruler-share" style={{ inlineSize: share(value) }} />
         {now === undefined ? null : (
           <span className="ruler-now" style={{ inlineSize: share(within(now, field)) }} data-testid="ruler-now">
@@ -45,7 +45,7 @@ export function Ruler({ sensor, ...props }: ControlProps & { sensor: RobotObject
         ))}
         <span className="ruler-handle" style={{ insetInlineStart: share(value) }} />
       </span>
-      <span className="field-marks muted" aria-hidden="true">
+      <span className="field-marks muted flex between nowrap tiny-text" aria-hidden="true">
         <span>{decimal(min * field.scale)}</span>
         <span>{decimal(((min + max) / 2) * field.scale)}</span>
         <span>{withUnit(decimal(max * field.scale), field)}</span>

@@ -39,7 +39,7 @@ export function Slider(props: ControlProps) {
   };
   const common = {
     type: "range",
-    className: "field-slider",
+    className: "slider grow",
     "aria-label": label,
     "aria-valuetext": inWords(field, value),
     onKeyDown,
@@ -70,7 +70,7 @@ export function Slider(props: ControlProps) {
         style={{ "--share": place / (MARKS.length - 1) } as CSSProperties}
         onChange={(event) => set(numberOfTime(event.target.valueAsNumber / FINE, field))}
       />
-      <span className="field-marks muted" id={marks} aria-hidden="true">
+      <span className="field-marks muted flex between nowrap tiny-text" id={marks} aria-hidden="true">
         {MARKS.map((mark) => (
           <span key={mark}>{mark === MARKS.at(-1) ? withUnit(String(mark), field) : mark}</span>
         ))}

@@ -68,7 +68,7 @@ function Open({ drawing }: { drawing: Drawing }) {
 
   return (
     <section className="outline-panel column" aria-label={t("outline.title")} data-testid="outline">
-      <header>
+      <header className="panel-head row between rigid">
         <h2 className="panel-title">{t("outline.title")}</h2>
         <Tool small icon="x" label={t("outline.close")} titled={false} onClick={closeOutline} />
       </header>
@@ -88,6 +88,7 @@ function Open({ drawing }: { drawing: Drawing }) {
         {rows.map((row, index) => (
           <div
             key={row.key}
+            className="focus-inside"
             role="treeitem"
             aria-level={row.level}
             aria-selected={row.vertex !== null && row.vertex === selected}

@@ -39,7 +39,7 @@ function Card({ shape }: { shape: Shape | null }) {
       }}
     >
       <div className="sheet-body">
-        <div className="sheet-head row">
+        <div className="sheet-head between aligned">
           {shape === null ? null : <Tile icon={shape.method?.icon || shape.icon} colour={shape.colour} />}
           <h2 id="part-help-title">{shape === null ? t("part-help.title") : title(shape)}</h2>
           <Tool small icon="x" label={t("help.close")} titled={false} ref={close} onClick={closeHelp} />
@@ -76,7 +76,7 @@ function Explained({ shape }: { shape: Shape }) {
             <dt>{text(field.label, field.name)}</dt>
             <dd>
               {rangeOf(field)}
-              {text(field.help) === "" ? null : <small>{text(field.help)}</small>}
+              {text(field.help) === "" ? null : <small className="block">{text(field.help)}</small>}
             </dd>
           </div>
         ))}
@@ -107,7 +107,7 @@ function OwnActions({ name }: { name: string }) {
     to(name);
   };
   return (
-    <div className="sheet-foot">
+    <div className="sheet-foot flex gap-m justify-end">
       <Button testId="help-delete" onClick={go(openDelete)}>
         {t("own.delete")}
       </Button>

@@ -5,9 +5,11 @@ import { type KeyboardEvent, useEffect, useRef, useState } from "react";
 
 import { CROWD } from "../../components/scene/crowd-size";
 import { Painter } from "../../components/scene/painter";
-import type { Scene } from "../../components/scene/scene";
+import type { Actor, Scene } from "../../components/scene/scene";
 import { decimal } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
+import { namesPart } from "../../model/named-parts";
+import { useStudio } from "../../model/studio";
 import { KIND_ICONS } from "../../model/world/names";
 import { reportError } from "../../session/document";
 import { keyFor, keyIn } from "../../session/key-table";
@@ -24,9 +26,6 @@ import { EmptyArena } from "./EmptyArena";
 import { ARENA_KEYS, PAGE_KEYS } from "./keys";
 import { openShown, toggleStage, useStageParts } from "./parts";
 import { choose, follow, openRobotMenu, useRobots } from "./robots";
-import type { Actor, Scene } from "../../components/scene/scene";
-import { namesPart } from "../../model/named-parts";
-import { useStudio } from "../../model/studio";
 import { Seed } from "./Seed";
 import { useArenaPointer } from "./use-arena-pointer";
 import { useScene, useSelected, useSummary } from "./use-scene";
@@ -70,7 +69,7 @@ function Heading({ scene, painter, stage }: HeadingProps) {
       {world === undefined || !seed ? null : <Seed />}
       {large && stage !== null ? <stage.Switches /> : null}
       {large || scene === null || scene.running || isDesk(scene) ? null : <Additions />}
-      <span className="side-tools">
+      <span className="side-tools flex to-end">
         {large ? null : (
           <Tool
             small
@@ -122,7 +121,7 @@ const ADDED = ["wall", "ball", "start"] as const;
 
 function Additions() {
   return (
-    <span className="side-tools side-additions">
+    <span className="side-tools side-additions flex to-end">
       {ADDED.map((kind) => (
         <Tool
           key={kind}
@@ -243,10 +242,10 @@ export function Arena() {
   };
 
   return (
-    <div className="arena" data-testid="arena">
+    <div className="arena column" data-testid="arena">
       <Heading scene={scene} painter={painter} stage={stage} />
       {scene !== null && scene.actors.length >= CROWD ? <Crowd scene={scene} /> : null}
-      <div className="arena-frame" ref={frame}>
+      <div className="arena-frame fill relative" ref={frame}>
         <canvas
           ref={canvas}
           role="application"
@@ -271,7 +270,7 @@ export function Arena() {
         )}
       </div>
       {stage === null || painter === null ? null : (
-        <div className="stage-ending-place">
+        <div className="rigid relative">
           <stage.Ending painter={painter} />
         </div>
       )}

@@ -7,14 +7,14 @@ export function EmptyArena({ scene }: { scene: Scene | null }) {
   const opened = useStudio((studio) => studio.mission.programs.length > 0);
   if (scene?.real === true) {
     return (
-      <p className="arena-empty" data-testid="arena-real">
+      <p className="arena-empty boxed" data-testid="arena-real">
         {t("arena.real")}
       </p>
     );
   }
   if (!opened || (scene !== null && scene.actors.length > 0)) return null;
   return (
-    <p className="arena-empty" data-testid="arena-empty">
+    <p className="arena-empty boxed" data-testid="arena-empty">
       {t(scene === null ? "arena.no-world" : "arena.no-robot")}
     </p>
   );

@@ -63,7 +63,7 @@ function Key({ agent, of: { sensor, label, letter, pressed }, live }: { agent: s
   return (
     <button
       type="button"
-      className="arena-hand row bold"
+      className="arena-hand row bold framed"
       data-testid={`hand-${sensor}`}
       aria-pressed={held || pressed}
       disabled={!live}

@@ -188,7 +188,7 @@ function Ring({ painter, world, thing }: { painter: Painter; world: OwnWorld; th
     const [x1, y1] = toScreen(view, wall.x1, wall.y1);
     const [x2, y2] = toScreen(view, wall.x2, wall.y2);
     return (
-      <svg className="arena-taken" aria-hidden="true" data-testid="arena-taken">
+      <svg className="arena-taken cover passive" aria-hidden="true" data-testid="arena-taken">
         <line x1={x1} y1={y1} x2={x2} y2={y2} />
       </svg>
     );
@@ -197,7 +197,7 @@ function Ring({ painter, world, thing }: { painter: Painter; world: OwnWorld; th
   const size = shape === null ? 0 : shape.radius || Math.hypot(shape.width, shape.height) / 2;
   const [cx, cy] = toScreen(view, anchor.x, anchor.y);
   return (
-    <svg className="arena-taken" aria-hidden="true" data-testid="arena-taken">
+    <svg className="arena-taken cover passive" aria-hidden="true" data-testid="arena-taken">
       <circle cx={cx} cy={cy} r={Math.max(size * view.scale + 5, shape === null ? RING_PX : 0)} />
     </svg>
   );

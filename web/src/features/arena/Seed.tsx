@@ -26,7 +26,7 @@ export function Seed() {
   const real = useRun((run) => (run.recording || isLive(run.status)) && isHardwareRun(run.agents));
   if (real) return null;
   return (
-    <span className="seed">
+    <span className="seed inline-row gap-xs">
       <label title={t("run.seed-help")}>
         {t("run.seed")}
         <NumberInput testId="seed" min={0} max={LARGEST} whole disabled={live} value={seed} keep={put} />
@@ -41,7 +41,7 @@ export function Seed() {
       />
       {failRate > 0 ? (
         <span
-          className="seed-chance small-text"
+          className="seed-chance small-text inline-row nowrap gap-xs"
           data-testid="chance-on"
           title={t("team.chance-on", { percent: decimal(failRate * 100) })}
         >

@@ -73,7 +73,7 @@ export function AddPopup({ adding, drawing }: { adding: Adding; drawing: Drawing
 
   return (
     <div
-      className="adding"
+      className="adding surface column"
       role="dialog"
       aria-label={label}
       style={
@@ -97,10 +97,11 @@ export function AddPopup({ adding, drawing }: { adding: Adding; drawing: Drawing
         event.stopPropagation();
       }}
     >
-      <label className="adding-find">
+      <label className="adding-find row rigid muted">
         <Icon name="search" size={16} />
         <input
           ref={input}
+          className="bare"
           type="text"
           role="combobox"
           aria-expanded="true"
@@ -116,12 +117,13 @@ export function AddPopup({ adding, drawing }: { adding: Adding; drawing: Drawing
           }}
         />
       </label>
-      {shapes.length === 0 ? <p className="adding-none">{t("add.none")}</p> : null}
+      {shapes.length === 0 ? <p className="adding-none muted">{t("add.none")}</p> : null}
       {last < 0 ? null : (
         <ul ref={list} id="adding-list" role="listbox" aria-label={label}>
           {shapes.map((shape, index) => (
             <li
               key={shape.element}
+              className="option"
               id={`adding-${String(index)}`}
               role="option"
               aria-selected={index === at}
@@ -139,6 +141,7 @@ export function AddPopup({ adding, drawing }: { adding: Adding; drawing: Drawing
           ))}
           {fresh ? (
             <li
+              className="option"
               id={`adding-${String(shapes.length)}`}
               role="option"
               aria-selected={at === shapes.length}

@@ -57,7 +57,7 @@ function Noted({ node }: { node: LayoutNode }) {
   const said = otherNotes(node.block?.vertex.notes ?? []);
   if (said === "") return null;
   return (
-    <span className="noted" title={said}>
+    <span className="noted centred muted" title={said}>
       <Icon name="message-circle" size={12} label={t("graph.note", { text: said })} />
     </span>
   );
@@ -86,7 +86,7 @@ export function Threads({ threads }: { threads: string }) {
         number.startsWith("@") ? (
           <Member key={number} at={Number(number.slice(1))} />
         ) : (
-          <span key={number} className="thread" title={t("graph.thread", { number })}>
+          <span key={number} className="thread inline-row ink" title={t("graph.thread", { number })}>
             <svg width="7" height="8" viewBox="0 0 7 8" aria-hidden="true">
               <path d="M0 0.5v7L6.5 4Z" fill="currentColor" />
             </svg>
@@ -105,7 +105,7 @@ function Member({ at }: { at: number }) {
   if (agent === undefined) return null;
   const other = stands === undefined || stands === "" || stands === agent.name ? "" : ` ← ${stands}`;
   return (
-    <span className="thread" data-testid={`member-${agent.name}`} title={`${agent.name}${other}`}>
+    <span className="thread inline-row ink" data-testid={`member-${agent.name}`} title={`${agent.name}${other}`}>
       <StateShape state={agent.state} />
       <bdi>{shortName(agent.name)}</bdi>
     </span>
@@ -123,7 +123,7 @@ export function Trouble({ id }: { id: string }) {
   if (worst === undefined) return null;
   const says = troubles.map(({ message, help }) => (help === "" ? message : `${message} ${help}`)).join("\n");
   return (
-    <span className="trouble" data-severity={worst.severity} data-testid={`problem-${id}`} title={says}>
+    <span className="trouble badge" data-severity={worst.severity} data-testid={`problem-${id}`} title={says}>
       <Icon name={SIGNS[worst.severity]} size={14} label={t("graph.problem", { message: says })} />
     </span>
   );

@@ -28,6 +28,7 @@ import {
 import { dropArc, sayOnCanvas, useView } from "../../session/view";
 import { Icon, Tile } from "../../theme";
 import { later } from "../../ui/later";
+import { Tool } from "../../ui/Tool";
 import { ActiveVertices } from "./active";
 import { AddPopup } from "./AddPopup";
 import { CameraContext, useCamera } from "./camera";
@@ -59,9 +60,9 @@ const EmptyTeaching = later(() => import("./EmptyTeaching").then((chunk) => chun
 export function Canvas() {
   const drawing = useDrawing();
   const finding = useView((state) => state.finding);
-  if (drawing === null) return <div className="canvas" />;
+  if (drawing === null) return <div className="canvas focus-inside" />;
   return (
-    <div className="canvas-room">
+    <div className="canvas-room relative">
       <CanvasOf key={drawing.program.name} drawing={drawing} />
       {finding ? <Find /> : null}
     </div>
@@ -105,7 +106,7 @@ function Graph({ drawing }: { drawing: Drawing }) {
   return (
     <div
       ref={root}
-      className="canvas"
+      className="canvas focus-inside"
       data-accepts={accepts}
       data-plain={plain}
       role="application"
@@ -184,7 +185,7 @@ function Ghost() {
   const many = payload.kind === "vertices" && payload.ids.length > 1 ? ` +${String(payload.ids.length - 1)}` : "";
   return createPortal(
     <div
-      className="ghost"
+      className="ghost row nowrap carried"
       style={{ transform: `translate(${String(x + 10)}px, ${String(y + 12)}px)` }}
       data-colour={shape.colour}
     >
@@ -193,8 +194,8 @@ function Ghost() {
         {title(shape)}
         {many}
       </strong>
-      {copy && payload.kind === "vertices" ? <span className="ghost-plus">+</span> : null}
-      {aside ? <span className="ghost-aside">{t("graph.park-here")}</span> : null}
+      {copy && payload.kind === "vertices" ? <span className="ghost-plus badge bold">+</span> : null}
+      {aside ? <span className="muted">{t("graph.park-here")}</span> : null}
     </div>,
     document.body,
   );
@@ -211,12 +212,10 @@ function Said() {
     [],
   );
   return (
-    <div className="said" role="status" data-testid="said" hidden={said === ""}>
+    <div className="said surface row" role="status" data-testid="said" hidden={said === ""}>
       <Icon name="info" size={16} />
       <span>{said}</span>
-      <button type="button" aria-label={t("graph.close")} title={t("graph.close")} onClick={() => sayOnCanvas("")}>
-        <Icon name="x" size={14} />
-      </button>
+      <Tool small icon="x" label={t("graph.close")} onClick={() => sayOnCanvas("")} />
     </div>
   );
 }

@@ -25,14 +25,15 @@ export function EmptyTeaching({ drawing }: { drawing: Drawing }) {
   const choosing = useDocument((document) => document.overlay === "open");
   const start = drawing.structure.start?.id ?? "start";
   return (
-    <section className="teaching">
+    <section className="teaching text-centre">
       <h2>{t("graph.first-step")}</h2>
       <p>{t(handKey("graph.first-help"))}</p>
-      <ul className="teaching-parts">
+      <ul className="teaching-parts gap-2xl">
         {firstParts(drawing.parts).map((shape) => (
           <li key={shape.element}>
             <button
               type="button"
+              className="card surface row"
               data-testid={`first-${shape.element}`}
               onPointerDown={(event) => beginDrag(event, { kind: "part", element: shape.element })}
               onClick={() => {
@@ -43,7 +44,7 @@ export function EmptyTeaching({ drawing }: { drawing: Drawing }) {
               }}
             >
               <Tile icon={shape.icon} colour={shape.colour} size={36} />
-              <span>
+              <span className="slim">
                 <strong>{shortTitle(shape)}</strong>
                 <small>{inShort(text(shape.help))}</small>
               </span>

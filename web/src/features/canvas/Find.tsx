@@ -9,6 +9,7 @@ import { partsOf } from "../../model/parts";
 import { useStudio } from "../../model/studio";
 import { closeFind, useView } from "../../session/view";
 import { Icon, Tile } from "../../theme";
+import { Tool } from "../../ui/Tool";
 
 /** Opens the program and selects what was found; the canvas brings it into view. */
 function jump({ program, vertex }: Hit): void {
@@ -56,7 +57,7 @@ export function Find() {
 
   return (
     <div
-      className="find"
+      className="find surface"
       role="search"
       aria-label={t("find.title")}
       data-testid="find"
@@ -70,10 +71,11 @@ export function Find() {
         event.stopPropagation();
       }}
     >
-      <div className="find-row">
+      <div className="find-row row muted gap-xs">
         <Icon name="search" size={16} />
         <input
           ref={input}
+          className="bare"
           type="text"
           role="combobox"
           aria-expanded={hits.length > 0}
@@ -88,25 +90,19 @@ export function Find() {
             setAt(-1);
           }}
         />
-        <span className="find-count" role="status">
+        <span className="small-text nowrap figures" role="status">
           {query.trim() === "" ? "" : count}
         </span>
-        <button type="button" aria-label={t("find.previous")} title={t("find.previous")} onClick={() => step(-1)}>
-          <Icon name="chevron-up" />
-        </button>
-        <button type="button" aria-label={t("find.next")} title={t("find.next")} onClick={() => step(1)}>
-          <Icon name="chevron-down" />
-        </button>
-        <button type="button" aria-label={t("graph.close")} title={t("graph.close")} onClick={close}>
-          <Icon name="x" />
-        </button>
+        <Tool small icon="chevron-up" label={t("find.previous")} onClick={() => step(-1)} />
+        <Tool small icon="chevron-down" label={t("find.next")} onClick={() => step(1)} />
+        <Tool small icon="x" label={t("graph.close")} onClick={close} />
       </div>
-      {query.trim() !== "" && hits.length === 0 ? <p className="find-none">{t("find.none", { query })}</p> : null}
+      {query.trim() !== "" && hits.length === 0 ? <p className="find-none muted">{t("find.none", { query })}</p> : null}
       <ul ref={list} id="find-list" role="listbox" aria-label={t("find.title")} hidden={hits.length === 0}>
         {hits.map((hit, index) => (
           <li
             key={`${hit.program} ${hit.vertex}`}
-            className="finger"
+            className="finger option"
             id={`find-${String(index)}`}
             role="option"
             aria-selected={index === current}
@@ -115,10 +111,10 @@ export function Find() {
             onClick={() => go(index)}
           >
             <Tile icon={hit.shape.icon} colour={hit.shape.colour} size={22} />
-            <span className="find-words">
-              {hit.name} <span className="find-aside">{hit.aside}</span>
+            <span className="ellipsis grow">
+              {hit.name} <span className="muted small-text">{hit.aside}</span>
             </span>
-            {mission.programs.length > 1 ? <span className="find-program">{hit.program}</span> : null}
+            {mission.programs.length > 1 ? <span className="muted small-text">{hit.program}</span> : null}
           </li>
         ))}
       </ul>

@@ -24,7 +24,7 @@ export function FoldControls({ frames }: { frames: LayoutFrame[] }) {
           <button
             key={id}
             type="button"
-            className="fold"
+            className="fold centred muted"
             data-testid={`collapse-${id}`}
             aria-label={words}
             aria-expanded="true"
@@ -52,7 +52,7 @@ export function FoldedWords({ node }: { node: LayoutNode }) {
   return (
     <button
       type="button"
-      className="folded"
+      className="folded inline-row bold nowrap gap-2xs"
       data-testid={`expand-${node.vertex}`}
       aria-expanded="false"
       title={t("graph.unfold", { name: named(node.vertex) })}

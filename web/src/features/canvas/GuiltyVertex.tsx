@@ -19,19 +19,23 @@ export function GuiltyVertex({ mark }: { mark: CounterexampleMark }) {
   return (
     <>
       {robots.length === 0 ? null : (
-        <span className="guilty-cross" data-testid={`guilty-${mark.vertex}`}>
+        <span className="guilty-cross badge" data-testid={`guilty-${mark.vertex}`}>
           <Icon name="x" size={14} label={t("guilty.broken")} />
         </span>
       )}
-      <span className="guilty-pills">
+      <span className="guilty-pills flex gap-xs">
         {repeats && names !== "" ? (
-          <span className="guilty-pill" data-ink="" title={t("guilty.repeats", { robots: robots.join(", ") })}>
+          <span
+            className="guilty-pill row nowrap gap-xs"
+            data-ink=""
+            title={t("guilty.repeats", { robots: robots.join(", ") })}
+          >
             <Icon name="infinity" size={12} label={t("guilty.repeats", { robots: robots.join(", ") })} />
             <bdi>{names}</bdi>
           </span>
         ) : null}
         {last.length === 0 ? null : (
-          <span className="guilty-pill" title={t("guilty.steps", { steps: last.join(", ") })}>
+          <span className="guilty-pill row nowrap gap-xs" title={t("guilty.steps", { steps: last.join(", ") })}>
             {last.join(" ")}
           </span>
         )}
@@ -73,7 +77,7 @@ function Bubble({ text }: { text: string }) {
   }, [side]);
   return (
     <span
-      className="guilty-bubble"
+      className="guilty-bubble surface flex gap-m passive"
       data-side={side}
       style={{ "--shift": `${String(shift)}px` } as CSSProperties}
       ref={bubble}

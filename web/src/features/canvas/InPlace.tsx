@@ -71,7 +71,7 @@ export function InPlace({ drawing, vertex, slot, typed }: InPlaceProps) {
   return (
     <div
       ref={box}
-      className="in-place"
+      className="in-place surface scroll"
       data-testid="in-place"
       role="group"
       aria-label={t("fields.of", { name: node?.face.name ?? "" })}
@@ -87,7 +87,7 @@ export function InPlace({ drawing, vertex, slot, typed }: InPlaceProps) {
       }}
     >
       <FieldRow drawing={drawing} vertex={found.block.vertex} field={found.field} typed={typed} done={close} />
-      <p className="in-place-keys">{t("fields.keys")}</p>
+      <p className="in-place-keys muted tiny-text">{t("fields.keys")}</p>
     </div>
   );
 }

@@ -27,7 +27,7 @@ export function Lane({ lane: { x, y, w, h, names, first } }: { lane: LayoutLane 
   const robots = useRun(({ team }) => playing(names, team));
   return (
     <div className="lane" data-testid="lane" data-first={first} style={{ left: x, top: y, width: w, height: h }}>
-      <p className="lane-head" style={{ height: LANE }}>
+      <p className="lane-head row bold justify-centre" style={{ height: LANE }}>
         <bdi>{names.join(", ")}</bdi> {robots === "" ? null : <bdi className="lane-robots">{robots}</bdi>}
       </p>
     </div>

@@ -165,7 +165,7 @@ const Leaps = memo(function Leaps({ leaps }: { leaps: readonly LayoutLeap[] }) {
     const path = roundedPath(points, true);
     const head = headPath(points);
     return (
-      <g key={source} className="arc leap" data-colour={colour} data-testid={`leap-${source}`}>
+      <g key={source} className="arc leap passive" data-colour={colour} data-testid={`leap-${source}`}>
         <path className="arc-line" d={path} style={{ d: `path("${path}")` }} />
         <path className="arc-head" d={head} style={{ d: `path("${head}")` }} />
         <text

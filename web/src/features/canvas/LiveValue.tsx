@@ -44,7 +44,11 @@ export function LiveValue({ node, spare }: { node: LayoutNode; spare: number }) 
   const inset = node.kind === "hexagon" ? INSET : Math.min(INSET, node.w / 2 - LABEL - width);
   return (
     <span
-      className={fits ? "live-value" : "live-value is-hung"}
+      className={
+        fits
+          ? "live-value inline-row rigid bold small-text nowrap gap-xs passive"
+          : "live-value is-hung inline-row rigid bold small-text nowrap gap-xs passive"
+      }
       style={fits ? undefined : { insetInlineEnd: inset }}
       data-on={on}
       data-testid={`live-${node.vertex}`}

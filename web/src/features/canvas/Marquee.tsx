@@ -76,7 +76,7 @@ export function Marquee({ root }: { root: RefObject<HTMLDivElement | null> }) {
 
   return box === null ? null : (
     <div
-      className="marquee"
+      className="marquee passive"
       style={{ width: box.w, height: box.h, transform: `translate(${String(box.x)}px, ${String(box.y)}px)` }}
     />
   );

@@ -6,7 +6,7 @@ import "./meeting.css";
 
 export function Meeting({ meeting }: { meeting: TeamMeeting }) {
   return (
-    <span className="meeting" data-testid="meeting" role="note">
+    <span className="meeting row nowrap gap-s passive" data-testid="meeting" role="note">
       <Icon name="hourglass" size={12} />
       {meetingSaid(meeting)}
     </span>

@@ -27,7 +27,7 @@ export function Minimap({ layout }: { layout: Drawing["layout"] }) {
 
   return (
     <svg
-      className="minimap"
+      className="minimap surface"
       viewBox={box.join(" ")}
       role="img"
       aria-label={t("graph.minimap")}
@@ -60,7 +60,7 @@ export function Minimap({ layout }: { layout: Drawing["layout"] }) {
           height={node.h}
         />
       ))}
-      <rect className="minimap-view" x={-x / zoom} y={-y / zoom} width={width / zoom} height={height / zoom} />
+      <rect className="drawn unscaled" x={-x / zoom} y={-y / zoom} width={width / zoom} height={height / zoom} />
     </svg>
   );
 }

@@ -65,7 +65,7 @@ function Terminal({ node }: { node: LayoutNode }) {
   const name = t(kind === "start" ? "graph.start" : "graph.stop");
   return (
     <div
-      className={`terminal${selected ? " is-selected" : ""}`}
+      className={`row justify-centre terminal${selected ? " is-selected" : ""}`}
       id={`vertex-${id}`}
       data-testid={`vertex-${id}`}
       role="group"
@@ -115,7 +115,7 @@ function Bar({ node }: { node: LayoutNode }) {
       <span className="bar" />
       <NoteStrip node={node} />
       {first ? (
-        <span className="bar-tag">
+        <span className="bar-tag row">
           <Icon name={block?.shape.icon ?? ""} size={16} />
           {face.name}
           <Trouble id={id} />
@@ -132,7 +132,7 @@ function Waits({ block, threads }: { block: Block | null; threads: string }) {
   const vertices = useMemo(() => (block === null ? [] : waitedVertices(block)), [block]);
   const others = useThreadsAmong(vertices);
   return (
-    <span className="bar-waits" data-testid={`waits-${block?.vertex.id ?? ""}`}>
+    <span className="bar-waits row nowrap" data-testid={`waits-${block?.vertex.id ?? ""}`}>
       <Threads threads={threads} />
       {others === "" ? null : (
         <>
@@ -149,7 +149,7 @@ function Loose({ node }: { node: LayoutNode }) {
   const { vertex: id, block, w, h } = node;
   if (block === null) return null;
   return (
-    <div className="loose" data-testid={`vertex-${id}`} style={{ width: w, height: h }}>
+    <div className="loose flex" data-testid={`vertex-${id}`} style={{ width: w, height: h }}>
       <ChipView chip={chipOf(block)} vertex={id} />
       <NoteStrip node={node} />
       <Trouble id={id} />
@@ -166,7 +166,7 @@ function FirstPlace({ node: { id, colour, w, h } }: { node: LayoutNode }) {
   return (
     <button
       type="button"
-      className={`first-place${aimed ? " is-aimed" : ""}`}
+      className={`row muted justify-centre first-place${aimed ? " is-aimed" : ""}`}
       data-testid={isFirst ? "first-place" : `place-${id}`}
       data-colour={isFirst ? undefined : colour}
       tabIndex={isFirst ? 0 : -1}

@@ -45,7 +45,7 @@ export function NoteEditor({ id, program }: { id: string; program: string }) {
   };
   return (
     <div
-      className="note-editor"
+      className="note-editor surface"
       style={{ width: WIDTH, "--x": `${String(at.x)}px`, "--y": `${String(at.y)}px` } as React.CSSProperties}
     >
       <textarea

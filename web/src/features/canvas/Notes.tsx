@@ -62,7 +62,7 @@ export function NoteStrip({ node: { note, noteWidth, w, vertex } }: { node: Layo
   return (
     <button
       type="button"
-      className="note-strip"
+      className="note-strip row muted start-text nowrap gap-s"
       data-testid={`note-${vertex}`}
       dir="auto"
       title={note}
@@ -79,8 +79,10 @@ export function NoteStrip({ node: { note, noteWidth, w, vertex } }: { node: Layo
       }}
     >
       <Icon name="message-circle" size={12} />
-      <span className="note-words">{first}</span>
-      {more.length === 0 ? null : <span className="note-more">{t("graph.note-more", { count: more.length })}</span>}
+      <span className="note-words grow">{first}</span>
+      {more.length === 0 ? null : (
+        <span className="rigid tiny-text">{t("graph.note-more", { count: more.length })}</span>
+      )}
     </button>
   );
 }

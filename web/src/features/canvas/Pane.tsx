@@ -109,7 +109,7 @@ export function Pane(props: { least: number; dots: boolean; onPress: () => void;
         if (event.target === event.currentTarget && !panned.current) onPress();
       }}
     >
-      <div ref={graph} className="canvas-graph">
+      <div ref={graph} className="canvas-graph passive">
         {children}
       </div>
     </div>

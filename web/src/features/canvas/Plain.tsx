@@ -61,7 +61,7 @@ export const PlainNode = memo(function PlainNode({ node }: { node: LayoutNode })
         if (!justDragged()) selectVertex(id, event);
       }}
     >
-      <span className="plain-body" />
+      <span className="plain-body cover" />
       {worst === undefined ? null : <span className="plain-trouble" data-severity={worst.severity} />}
     </div>
   );

@@ -81,14 +81,14 @@ export const Vertex = memo(function Vertex({ node }: { node: LayoutNode }) {
       <Outline w={w} h={h} hexagon={hexagon} />
       <Tile icon={block.shape.icon} colour={colour} />
       <span className="vertex-name">
-        {face.object === "" ? null : <span className="vertex-object">{face.object} </span>}
+        {face.object === "" ? null : <span className="muted">{face.object} </span>}
         <strong>{face.name}</strong>
       </span>
       {face.chips.map((chip) => (
         <ChipView key={chip.slot} chip={chip} vertex={id} />
       ))}
       {face.chips.length === 1 ? <Live node={node} spare={spare} /> : null}
-      <span className="vertex-space" />
+      <span className="grow" />
       {face.boxes.map((box) => (
         <BoxView key={box.slot} box={box} vertex={id} takes={takes(box.slot)} />
       ))}
@@ -158,7 +158,7 @@ export function ChipView({ chip, vertex }: { chip: Chip; vertex: string }) {
       {chip.icon === "" ? null : <Icon name={chip.icon} size={15} />}
       {chip.pieces.map((piece, index) =>
         piece.kind === "words" ? (
-          <span className="chip-words" key={index}>
+          <span className="chip-words slim" key={index}>
             {piece.words}
           </span>
         ) : chip.filler === null ? (
@@ -221,7 +221,7 @@ function BoxView({ box, vertex, takes }: { box: Box; vertex: string; takes: stri
         selectVertex(box.plugged, event);
       }}
     >
-      {box.label === "" ? null : <span className="box-label">{box.label}</span>}
+      {box.label === "" ? null : <span className="muted">{box.label}</span>}
       {box.picture === null ? null : <ChoicePicture choice={box.picture} size={PICTURE} />}
       <strong>{box.value === "" ? "…" : box.value}</strong>
     </span>

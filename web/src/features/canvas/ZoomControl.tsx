@@ -2,7 +2,7 @@
 import { t } from "../../i18n/words";
 import { keyFor } from "../../session/key-table";
 import { follows, toggleFollowing, toggleMinimap, useView } from "../../session/view";
-import { Icon } from "../../theme";
+import { Tool } from "../../ui/Tool";
 import { useCameraState } from "./camera";
 
 export function ZoomControl() {
@@ -11,41 +11,31 @@ export function ZoomControl() {
   const minimap = useView((state) => state.minimap);
   const following = useView(follows);
   return (
-    <div className="zoom" role="group" aria-label={t("graph.zoom")}>
-      <button type="button" aria-label={t("graph.zoom-out")} title={t("graph.zoom-out")} onClick={viewport?.zoomOut}>
-        <Icon name="minus" />
-      </button>
-      <button type="button" className="zoom-percent" title={t("graph.zoom-actual")} onClick={viewport?.home}>
+    <div className="zoom surface aligned" role="group" aria-label={t("graph.zoom")}>
+      <Tool icon="minus" label={t("graph.zoom-out")} onClick={viewport?.zoomOut} />
+      <button type="button" className="tool zoom-percent" title={t("graph.zoom-actual")} onClick={viewport?.home}>
         {zoom} %
       </button>
-      <button type="button" aria-label={t("graph.zoom-in")} title={t("graph.zoom-in")} onClick={viewport?.zoomIn}>
-        <Icon name="plus" />
-      </button>
-      <span className="zoom-line" />
-      <button type="button" aria-label={t("graph.fit")} title={t("graph.fit")} onClick={viewport?.fit}>
-        <Icon name="maximize" />
-      </button>
-      <span className="zoom-line" />
-      <button
-        type="button"
-        aria-label={t("graph.minimap")}
+      <Tool icon="plus" label={t("graph.zoom-in")} onClick={viewport?.zoomIn} />
+      <span className="tool-line" />
+      <Tool icon="maximize" label={t("graph.fit")} onClick={viewport?.fit} />
+      <span className="tool-line" />
+      <Tool
+        icon="map"
+        label={t("graph.minimap")}
+        keys="M"
         aria-pressed={minimap}
-        title={`${t("graph.minimap")} · M`}
-        data-testid="minimap-button"
+        testId="minimap-button"
         onClick={toggleMinimap}
-      >
-        <Icon name="map" />
-      </button>
-      <button
-        type="button"
-        aria-label={t("graph.follow")}
+      />
+      <Tool
+        icon="crosshair"
+        label={t("graph.follow")}
+        keys={keyFor.graph("follow")}
         aria-pressed={following}
-        title={`${t("graph.follow")} · ${keyFor.graph("follow")}`}
-        data-testid="follow-button"
+        testId="follow-button"
         onClick={toggleFollowing}
-      >
-        <Icon name="crosshair" />
-      </button>
+      />
     </div>
   );
 }

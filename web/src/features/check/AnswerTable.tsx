@@ -27,7 +27,7 @@ function oddsWords(odds: number): string {
 }
 
 function Mark({ shape }: { shape: Shape }) {
-  return <span className="check-mark rigid" data-shape={shape} aria-hidden="true" />;
+  return <span className="check-mark rigid relative text-centre" data-shape={shape} aria-hidden="true" />;
 }
 
 /** Odds from which on a rough search says next to nothing, and the smallest that are told. */
@@ -46,11 +46,11 @@ function Head({ assumption, column, now }: HeadProps) {
   return (
     <th scope="col" data-now={now}>
       <span className="check-timing">{t(`check.${timing}`)}</span>
-      <span className="check-means muted">
+      <span className="check-means muted block tiny-text">
         {failures === 0 ? t(`check.${timing}-means`) : withKinds(t("check.head-failures", { count: failures }), kinds)}
       </span>
       {column === undefined ? null : (
-        <span className="check-means check-numbers muted">
+        <span className="check-means figures muted block tiny-text">
           {t("check.explored", {
             states: grouped(column.states),
             seconds: decimal(Math.round(column.seconds * 10) / 10),
@@ -58,12 +58,12 @@ function Head({ assumption, column, now }: HeadProps) {
         </span>
       )}
       {column === undefined || column.cut === null ? null : (
-        <span className="check-means muted" data-testid={`cut-${timing}-${String(failures)}`}>
+        <span className="check-means muted block tiny-text" data-testid={`cut-${timing}-${String(failures)}`}>
           {t(`check.cut-${column.cut}`)}
         </span>
       )}
       {column === undefined || column.odds === null ? null : (
-        <span className="check-means muted" data-testid={`odds-${timing}-${String(failures)}`}>
+        <span className="check-means muted block tiny-text" data-testid={`odds-${timing}-${String(failures)}`}>
           {oddsWords(column.odds)}
         </span>
       )}
@@ -92,12 +92,12 @@ export function AnswerTable() {
   }, [open, table.ref]);
 
   return (
-    <div className="check-scroll rigid">
+    <div className="scroll-x rigid">
       <table
-        className="check-table small-text"
+        className="check-table data-table small-text"
         role="grid"
         aria-label={t("check.table")}
-        data-testid="check-table"
+        data-testid="check-table data-table"
         {...table}
       >
         <thead>
@@ -117,7 +117,7 @@ export function AnswerTable() {
           {rows.map(({ name, sentence }, row) => (
             <tr key={name}>
               <th scope="row" title={name}>
-                <span className="check-sentence">
+                <span className="check-sentence block">
                   <Said text={sentence} />
                 </span>
               </th>
@@ -128,7 +128,7 @@ export function AnswerTable() {
                 return (
                   <td
                     key={column}
-                    className="check-answer"
+                    className="check-answer nowrap"
                     data-cell={cellName({ row, column })}
                     data-testid={`answer-${name}-${assumption.timing}-${String(assumption.failures)}`}
                     data-shape={shape}
@@ -139,7 +139,7 @@ export function AnswerTable() {
                       <Mark shape={shape} />
                       {t(`check.is-${shape}`)}
                     </span>
-                    <span className="check-detail muted">{detail(answer)}</span>
+                    <span className="check-detail muted block tiny-text">{detail(answer)}</span>
                   </td>
                 );
               })}

@@ -58,26 +58,26 @@ export function BrokenRun({ cell }: { cell: Cell }) {
   const { answer, column } = shown;
   const other = showsOther ? (answer.why?.other ?? null) : null;
   return (
-    <section className="check-run column" ref={place} data-testid="check-run" aria-label={t("check.run")}>
-      <header className="check-run-head row">
+    <section className="check-run column scroll gap-m" ref={place} data-testid="check-run" aria-label={t("check.run")}>
+      <header className="row between">
         <h3 className="panel-title">{t("check.broken-under", { assumption: assumptionWords(column) })}</h3>
         <Tool small icon="x" label={t("check.run-close")} titled={false} onClick={() => openAnswer(null)} />
       </header>
-      <p className="check-sentence">
+      <p className="check-sentence block">
         <Said text={answer.sentence} />
       </p>
       <Seen answer={answer} />
       <WhyBroken answer={answer} open={other !== null} onOther={setShowsOther} />
       {other !== null ? (
         <>
-          <p className="check-note muted small-text">{t(other.ends_well ? "check.other-well" : "check.other-only")}</p>
+          <p className="muted small-text">{t(other.ends_well ? "check.other-well" : "check.other-only")}</p>
           <StepArena key="other" run={otherRun(other)} mission={mission} />
         </>
       ) : answer.confirmed === null ? (
         <StepArena key="broken" run={answer} mission={mission} decided={answer.why?.step ?? -1} />
       ) : null}
       {answer.places.length === 0 ? null : (
-        <p className="check-play row">
+        <p className="check-play row lesson-head">
           <Button
             icon="step-forward"
             testId="check-walk"
@@ -122,7 +122,7 @@ function Seen({ answer }: { answer: CheckedProperty }) {
   if (run === null) {
     const words = searched ? t("check.not-reproduced") : busy ? t("check.searching") : t("check.not-searched");
     return (
-      <p className="check-seen" data-testid="check-seen" data-confirmed="false">
+      <p className="check-seen flex gap-m items-start" data-testid="check-seen" data-confirmed="false">
         <span className="check-dashed rigid" aria-hidden="true" />
         {words}
       </p>
@@ -130,7 +130,7 @@ function Seen({ answer }: { answer: CheckedProperty }) {
   }
   return (
     <>
-      <p className="check-seen" data-testid="check-seen" data-confirmed="true">
+      <p className="check-seen flex gap-m items-start" data-testid="check-seen" data-confirmed="true">
         <Icon name="circle-check" size={16} />
         <span>
           <strong>{t("check.confirmed", { seed: String(run.seed), time: clock(run.seconds) })}</strong>
@@ -139,12 +139,12 @@ function Seen({ answer }: { answer: CheckedProperty }) {
           ))}
         </span>
       </p>
-      <p className="check-play row wrap">
+      <p className="check-play row wrap lesson-head">
         <Button icon="play" testId="check-play" disabled={held} onClick={() => play(run)}>
           {t("check.play")}
         </Button>
-        {played ? <span className="check-note muted">{t("check.plays", { time: clock(run.seconds) })}</span> : null}
-        {held ? <span className="check-note check-warning muted">{t("check.real")}</span> : null}
+        {played ? <span className="muted">{t("check.plays", { time: clock(run.seconds) })}</span> : null}
+        {held ? <span className="warning">{t("check.real")}</span> : null}
       </p>
     </>
   );
@@ -168,7 +168,7 @@ function Story({ answer }: { answer: CheckedProperty }) {
         </div>
       ))}
       {last !== undefined && !last.repeats && last.events.length === 0 ? (
-        <p className="check-note muted">{t("check.at-once")}</p>
+        <p className="muted">{t("check.at-once")}</p>
       ) : null}
     </div>
   );
@@ -178,17 +178,17 @@ function Story({ answer }: { answer: CheckedProperty }) {
 function Events({ events, leftOut, decided }: { events: readonly CheckedEvent[]; leftOut: number; decided: number }) {
   const gap = leftOut === 0 ? -1 : events.findIndex(({ step }, index) => step - (events[index - 1]?.step ?? step) > 1);
   return (
-    <ol className="plain-list">
+    <ol>
       {events.map(({ step, text }, index) => (
         <li key={index} data-decided={step === decided || undefined}>
           {index === gap ? (
             <span className="check-left-out muted">{t("check.left-out", { count: leftOut })}</span>
           ) : null}
-          <span className="check-step muted">{events[index - 1]?.step === step ? "" : grouped(step + 1)}</span>
+          <span className="check-step muted figures">{events[index - 1]?.step === step ? "" : grouped(step + 1)}</span>
           <span>
             <Said text={text} />
             {step === decided && events[index - 1]?.step !== decided ? (
-              <span className="check-decided row">
+              <span className="row regular gap-xs">
                 <Icon name="git-fork" size={14} />
                 {t("check.decides")}
               </span>

@@ -32,10 +32,10 @@ export function CheckPanel() {
   const walks = useStateWalk((walk) => walk.wanted !== null);
   return (
     <DockPanel id="check-panel" testId="check" title={t("check.title")} close={t("check.close")} tools={<Asking />}>
-      <div className="check-body" data-run={walks || answered}>
-        <div className="check-answers column">
+      <div className="check-body flex" data-run={walks || answered}>
+        <div className="check-answers column grow scroll gap-m">
           <Refused refused={refused} />
-          {asked === null ? <p className="check-note check-what muted">{t("check.what")}</p> : <Answers />}
+          {asked === null ? <p className="check-what prose muted">{t("check.what")}</p> : <Answers />}
           <WalkEntry />
           <Properties />
         </div>
@@ -70,11 +70,11 @@ function Answers() {
   const columns = useCheck((check) => check.columns.length);
   const busy = useCheck((check) => check.busy);
   const changed = useStudio(({ mission }) => mission !== useCheck.getState().asked?.mission);
-  if (columns === 0) return busy ? <p className="check-note check-what muted">{t("check.begins")}</p> : null;
+  if (columns === 0) return busy ? <p className="check-what prose muted">{t("check.begins")}</p> : null;
   return (
     <>
       <Verdict />
-      {changed ? <p className="check-note check-warning muted">{t("check.changed")}</p> : null}
+      {changed ? <p className="warning">{t("check.changed")}</p> : null}
       <AnswerTable />
       <Limits />
     </>
@@ -93,7 +93,7 @@ function Asking() {
   if (busy) return <Progress />;
   return (
     <form
-      className="check-asking row wrap small-text"
+      className="check-asking row wrap small-text grow justify-end"
       onSubmit={(event) => {
         event.preventDefault();
         begin(readWhole(failures) ?? 0, kindsOf(kinds), readWhole(seconds) ?? 0, search === ROUGH);
@@ -134,7 +134,7 @@ function Asking() {
       <Button icon="clipboard-check" type="submit" testId="check-begin" disabled={agents === 0}>
         {asked === null ? t("check.begin") : t("check.again")}
       </Button>
-      {agents === 0 ? <span className="check-note muted">{t("check.nobody")}</span> : null}
+      {agents === 0 ? <span className="muted">{t("check.nobody")}</span> : null}
     </form>
   );
 }
@@ -143,8 +143,8 @@ function Progress() {
   const progress = useCheck((check) => check.progress);
   const stopping = useCheck((check) => check.stopping);
   return (
-    <div className="check-asking row wrap small-text" data-testid="check-progress">
-      <span className="check-count">{progress === null ? t("check.preparing") : said(progress)}</span>
+    <div className="check-asking row wrap small-text grow justify-end" data-testid="check-progress">
+      <span className="check-count figures">{progress === null ? t("check.preparing") : said(progress)}</span>
       <Button icon="square" testId="check-stop" disabled={stopping} onClick={breakOff}>
         {t("check.stop")}
       </Button>

@@ -56,7 +56,7 @@ export function ConditionField({ label, testId, value, keep }: FieldProps) {
   };
 
   return (
-    <span className="check-field">
+    <span className="check-field grow relative">
       <input
         className="field"
         ref={field}
@@ -82,7 +82,7 @@ export function ConditionField({ label, testId, value, keep }: FieldProps) {
         onKeyDown={pressed}
       />
       <span
-        className="check-suggestions wrap"
+        className="check-suggestions wrap flex gap-xs"
         role="listbox"
         id={`${id}-list`}
         aria-label={label}

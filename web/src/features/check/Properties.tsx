@@ -179,12 +179,12 @@ export function Properties() {
         </ul>
       )}
       {wrong.map(({ message, help }) => (
-        <p key={message} className="check-warning" role="status" data-testid="property-wrong">
+        <p key={message} className="warning" role="status" data-testid="property-wrong">
           <Said text={message} />. <Said text={help} />
         </p>
       ))}
-      <p className="check-add row wrap small-text">
-        <span className="check-note muted">{t("check.add")}</span>
+      <p className="row wrap small-text gap-m">
+        <span className="muted">{t("check.add")}</span>
         {FORMS.map((form) => (
           <Button
             icon="plus"

@@ -11,7 +11,7 @@ export function SceneArena({ scene, mission, world }: { scene: Scene; mission: M
   const { width_mm: width, height_mm: height } = world;
   const ring = Math.max(width, height) * RING;
   return (
-    <div className="check-arena" style={{ aspectRatio: `${String(width)} / ${String(height)}` }}>
+    <div className="check-arena relative" style={{ aspectRatio: `${String(width)} / ${String(height)}` }}>
       <WorldPicture world={world} agents={[]} />
       <svg viewBox={`0 0 ${String(width)} ${String(height)}`} aria-hidden="true">
         {scene.robots.map(({ x_mm: x, y_mm: y, heading_rad: turn }, robot) => (

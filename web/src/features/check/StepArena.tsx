@@ -58,7 +58,7 @@ export function StepArena({ run, mission, decided = -1 }: Props) {
     <div className="check-steps" data-testid="check-steps" data-step={scene.step}>
       <SceneArena scene={scene} mission={mission} world={world} />
       <div
-        className="check-steps-row row small-text"
+        className="check-steps-row row small-text gap-xs"
         role="group"
         aria-label={t("check.zone-by-zone")}
         onKeyDown={pressed}
@@ -91,14 +91,14 @@ export function StepArena({ run, mission, decided = -1 }: Props) {
             onClick={() => go(moment)}
           />
         )}
-        <span className="check-count" role="status">
+        <span className="check-count figures" role="status">
           {scene.step === 0
             ? t("check.step-first")
             : t("check.step-of", { step: grouped(scene.step), steps: grouped(run.steps) })}
           {repeats ? <Icon name="infinity" size={14} label={t("check.repeats")} /> : null}
         </span>
       </div>
-      <p className="check-note check-step-said muted small-text">
+      <p className="muted small-text">
         {said.map(({ text }, index) => (
           <span key={index}>
             <Said text={text} />{" "}

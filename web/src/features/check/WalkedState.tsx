@@ -31,8 +31,8 @@ export function WalkedState() {
   }, [state]);
   if (wanted === null) return null;
   return (
-    <section className="check-run walk column" data-testid="walk" aria-label={t("walk.title")}>
-      <header className="check-run-head row">
+    <section className="check-run walk column scroll gap-m" data-testid="walk" aria-label={t("walk.title")}>
+      <header className="row between">
         <h3 className="panel-title">{t("walk.title")}</h3>
         <Tool small icon="x" label={t("walk.close")} titled={false} testId="walk-close" onClick={closeWalk} />
       </header>
@@ -82,12 +82,12 @@ function State({ state, mission }: { state: StateWalk; mission: Mission }) {
   return (
     <>
       {world === null ? null : <SceneArena scene={state.scene} mission={mission} world={world} />}
-      <div role="status" className="column walk-state" data-testid="walk-state" data-step={places.length}>
+      <div role="status" className="column walk-state gap-xs" data-testid="walk-state" data-step={places.length}>
         <p>
           <strong>{t("walk.state", { number: grouped(places.length) })}</strong> <Sentences texts={happened} />
         </p>
         {situation.map((sentence, index) => (
-          <p key={index} className="walk-situation row">
+          <p key={index} className="row gap-xs items-start">
             <Icon name="triangle-alert" size={16} />
             <span>
               <Said text={sentence} />
@@ -118,8 +118,8 @@ function State({ state, mission }: { state: StateWalk; mission: Mission }) {
           <Steps steps={failures} />
         </details>
       )}
-      {more === 0 ? null : <p className="check-note muted small-text">{t("walk.more", { count: more })}</p>}
-      {shared.length === 0 ? null : <p className="walk-shared muted small-text">{shared.join(" · ")}</p>}
+      {more === 0 ? null : <p className="muted small-text">{t("walk.more", { count: more })}</p>}
+      {shared.length === 0 ? null : <p className="muted small-text breakable">{shared.join(" · ")}</p>}
     </>
   );
 }
@@ -128,11 +128,11 @@ function State({ state, mission }: { state: StateWalk; mission: Mission }) {
 function Steps({ steps }: { steps: readonly PossibleStep[] }) {
   const busy = useStateWalk((walk) => walk.busy);
   return (
-    <ol className="plain-list walk-steps">
+    <ol className="walk-steps column gap-xs">
       {steps.map(({ place, sentences, breaks, returns_to: returns }, index) => (
         <li key={index}>
           <Button
-            className="walk-step"
+            className="walk-step wrap start-text"
             testId={`walk-step-${String(place)}`}
             aria-disabled={busy}
             onClick={() => {
@@ -143,7 +143,7 @@ function Steps({ steps }: { steps: readonly PossibleStep[] }) {
               <Sentences texts={sentences} />
             </span>
             {breaks.length === 0 ? null : (
-              <span className="walk-breaks row">
+              <span className="row bold gap-2xs">
                 <Icon name="triangle-alert" size={14} />
                 {t("walk.breaks", { properties: breaks.join(", ") })}
               </span>

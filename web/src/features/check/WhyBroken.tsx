@@ -20,7 +20,7 @@ export function WhyBroken({ answer, open, onOther }: Props) {
   if (why === null) return null;
   const { sentences, left_out: leftOut, other, without_failures: kept } = why;
   return (
-    <section className="check-why column" data-testid="check-why" aria-label={t("check.why")}>
+    <section className="check-why column gap-s" data-testid="check-why" aria-label={t("check.why")}>
       <h4>{t("check.why")}</h4>
       <ol>
         {sentences.map((sentence, index) => (
@@ -29,7 +29,7 @@ export function WhyBroken({ answer, open, onOther }: Props) {
           </li>
         ))}
       </ol>
-      <p className="check-play row wrap">
+      <p className="check-play row wrap lesson-head">
         {confirmed !== null && why.tick >= 0 ? (
           <PlayFrom testId="check-play-moment" run={{ ...confirmed, tick: why.tick, seconds: why.seconds }}>
             {t("check.play-moment", { time: clock(why.seconds) })}
@@ -46,9 +46,7 @@ export function WhyBroken({ answer, open, onOther }: Props) {
           </Button>
         )}
       </p>
-      {leftOut === 0 ? null : (
-        <p className="check-note muted small-text">{t("check.not-needed", { count: leftOut })}</p>
-      )}
+      {leftOut === 0 ? null : <p className="muted small-text">{t("check.not-needed", { count: leftOut })}</p>}
     </section>
   );
 }

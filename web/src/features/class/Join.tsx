@@ -102,7 +102,7 @@ export function Join() {
   };
 
   return (
-    <main className="join" aria-label={t("class.join-title", { name: about?.name ?? "" })}>
+    <main className="join centred scroll" aria-label={t("class.join-title", { name: about?.name ?? "" })}>
       <form className="join-card surface" onSubmit={join} data-testid="join">
         <h1>{t("class.join-title", { name: `\u2068${about?.name ?? "…"}\u2069` })}</h1>
         {about?.joining === false ? <p>{t("class.no-joining")}</p> : null}
@@ -158,7 +158,7 @@ export function Join() {
             </Field>
           </div>
         )}
-        <p className="join-failure" role="alert" data-testid="join-failure">
+        <p className="join-failure notice" role="alert" data-testid="join-failure">
           {failure === null ? null : (
             <>
               <Said text={failure.message} /> <Said text={failure.help} />
@@ -170,7 +170,7 @@ export function Join() {
             <Icon name="hourglass" size={18} /> {t("class.asking")}
           </p>
         )}
-        <div className="join-foot wrap">
+        <div className="join-foot wrap flex gap-m">
           <Button ink type="submit" disabled={busy} testId="join-go">
             {t(taken === "" ? "class.join" : "class.come-back")}
           </Button>

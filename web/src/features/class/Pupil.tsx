@@ -24,7 +24,7 @@ const WORDS: Record<Offer["kind"], (words: string) => string> = {
 function OfferRow({ offer }: { offer: Offer }) {
   const { open } = offer;
   return (
-    <div className="banner banner-note row rigid" role="status" data-testid={`class-${offer.kind}`}>
+    <div className="banner banner-note row rigid gap-xl" role="status" data-testid={`class-${offer.kind}`}>
       <Icon name={offer.open === null ? "message-circle" : "send"} size={18} />
       <p dir="auto">{WORDS[offer.kind](offer.words)}</p>
       {open === null ? null : (
@@ -64,8 +64,8 @@ function Held({ icon, title, help, children }: { icon: string; title: string; he
     };
   }, []);
   return createPortal(
-    <div className="class-frozen" role="alert" data-testid="class-frozen">
-      <div className="class-frozen-card">
+    <div className="class-frozen centred" role="alert" data-testid="class-frozen">
+      <div className="class-frozen-card surface text-centre">
         <Icon name={icon} size={40} />
         <h2>{title}</h2>
         <p>{help}</p>
@@ -87,7 +87,7 @@ export function PupilBar() {
         <OfferRow key={offer.kind} offer={offer} />
       ))}
       {news?.turn === "asked" ? (
-        <div className="banner banner-question row rigid" role="alert" data-testid="class-turn">
+        <div className="banner banner-question row rigid gap-xl" role="alert" data-testid="class-turn">
           <Icon name="pencil" size={18} />
           <p>{t("class.asks-to-edit")}</p>
           <Button testId="class-let-edit" onClick={() => letEdit(true)}>
@@ -118,7 +118,12 @@ function KeptWords() {
   const { kept, problem, connected } = useClassroom();
   if (kept === "refused") {
     return (
-      <span className="class-kept muted small-text rigid" role="status" data-testid="class-kept" data-kept="refused">
+      <span
+        className="class-kept muted small-text rigid inline-row nowrap gap-s"
+        role="status"
+        data-testid="class-kept"
+        data-kept="refused"
+      >
         <Icon name="triangle-alert" size={16} />
         <Said text={t("class.not-kept", { why: problem })} />
       </span>
@@ -128,7 +133,7 @@ function KeptWords() {
   const away = words === "class.kept-here";
   return (
     <span
-      className="class-kept muted small-text rigid"
+      className="class-kept muted small-text rigid inline-row nowrap gap-s"
       role="status"
       data-testid="class-kept"
       data-kept={connected ? kept : "here"}
@@ -152,11 +157,11 @@ export function PupilKept() {
   ];
   const up = t(hand ? "class.hand-up" : "class.hand");
   return (
-    <div className="class-pupil row rigid">
+    <div className="class-pupil row rigid to-end gap-xs">
       <KeptWords />
       {looked ? (
         <span
-          className="class-looked muted small-text rigid"
+          className="class-looked muted small-text rigid inline-row nowrap gap-s"
           role="status"
           title={t("class.looked")}
           data-testid="class-looked"
@@ -166,7 +171,7 @@ export function PupilKept() {
       ) : null}
       <button
         type="button"
-        className="tool tool-named class-hand rigid"
+        className="tool tool-named class-hand rigid nowrap medium gap-m relative"
         aria-pressed={hand}
         data-testid="class-hand"
         onClick={() => putHand(!hand)}
@@ -177,7 +182,7 @@ export function PupilKept() {
       <MenuButton
         id="class-me"
         label={t("class.you", { name, class: of })}
-        className="tool tool-named class-me rigid"
+        className="tool tool-named class-me rigid nowrap medium gap-m relative"
         entries={entries}
       >
         <Icon name="user-round" size={18} />

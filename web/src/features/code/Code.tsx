@@ -42,8 +42,8 @@ export function Code() {
   const typed = useTyping((typing) => typing.drafts[program]?.text);
   const loaded = found !== undefined;
   return (
-    <div className="code" data-testid="code">
-      <header className="side-tabs row rigid">
+    <div className="code column panel" data-testid="code">
+      <header className="side-tabs rigid between aligned">
         <TabList
           label={t("view.code")}
           id="code-tab"
@@ -51,8 +51,8 @@ export function Code() {
           open={side}
           show={showCode}
           controls="code-panel"
-          className="side-tablist"
-          tabClass="side-tab ellipsis muted"
+          className="side-tablist flex slim gap-2xl"
+          tabClass="side-tab ellipsis muted focus-inside"
           title={(one) => t(`code.${one}`)}
         >
           {(one) => t(`code.${one}`)}
@@ -66,7 +66,7 @@ export function Code() {
           />
         )}
       </header>
-      <div className="code-panel" id="code-panel" role="tabpanel" aria-labelledby={`code-tab-${side}`}>
+      <div className="code-panel fill" id="code-panel" role="tabpanel" aria-labelledby={`code-tab-${side}`}>
         {side === "projection" ? (
           <Projection />
         ) : !loaded ? null : side === "lll" ? (

@@ -86,8 +86,8 @@ export default function Projection() {
     );
   }
   return (
-    <div className="projection" data-testid="projection">
-      <div className="projection-head row small-text">
+    <div className="projection column" data-testid="projection">
+      <div className="projection-head row small-text between gap-xl">
         <TabList
           label={t("projection.kinds")}
           id="projection"
@@ -95,18 +95,18 @@ export default function Projection() {
           open={shown.robot}
           show={setWanted}
           controls="projection-text"
-          className="side-tablist"
-          tabClass="side-tab ellipsis muted"
+          className="side-tablist flex slim gap-2xl"
+          tabClass="side-tab ellipsis muted focus-inside"
           title={(robot) => robot}
         >
           {(robot) => <bdi>{tabName(robot, mission)}</bdi>}
         </TabList>
-        <small className="projection-read row muted rigid">
+        <small className="row muted rigid tiny-text gap-xs">
           <Icon name="eye" size={14} /> {t("projection.read-only")}
         </small>
       </div>
       <div
-        className="projection-text"
+        className="fill"
         id="projection-text"
         role="tabpanel"
         aria-labelledby={`projection-${shown.robot}`}

@@ -50,12 +50,12 @@ export function DeleteSheet({ name }: { name: string }) {
   return (
     <Sheet title={t("own.delete-title", { name })} testId="own-delete" onClose={closeSheet}>
       <p>{t("own.used", { count })}</p>
-      <ul className="own-uses">
+      <ul>
         {uses.map(({ program, vertices }) => (
           <li key={program}>
             <button
               type="button"
-              className="open-entry row"
+              className="open-entry row start-text gap-xl hover"
               data-testid={`own-use-${program}`}
               onClick={() => {
                 closeSheet();
@@ -69,10 +69,10 @@ export function DeleteSheet({ name }: { name: string }) {
         ))}
       </ul>
       <p className="sheet-note muted small-text">{t("own.delete-how")}</p>
-      <p className="own-failure row small-text" role="status">
+      <p className="own-failure row small-text gap-s" role="status">
         {failure}
       </p>
-      <div className="sheet-foot">
+      <div className="sheet-foot flex gap-m justify-end">
         <Button onClick={closeSheet}>{t("open.cancel")}</Button>
         <Button testId="own-leave" onClick={leave}>
           {t("own.leave")}

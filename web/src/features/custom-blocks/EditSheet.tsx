@@ -120,12 +120,12 @@ function Editing({ name, part }: { name: string; part: Constructor }) {
     <Sheet title={t("own.edit-title", { name })} testId="own-dialog" wide onClose={closeSheet}>
       <form className="own-form" onSubmit={onSubmit}>
         <div className="own-columns">
-          <div>
+          <div className="slim">
             <Look look={look} wrong={wrong} onChange={setLook} />
           </div>
-          <div>
+          <div className="slim">
             <h3>{t("own.lll")}</h3>
-            <div className="own-code own-code-edit small-text">
+            <div className="own-code own-code-edit small-text scroll typed">
               <TextEditor
                 text={code ?? part.code}
                 label={t("own.lll")}

@@ -62,8 +62,8 @@ export function Look({ look, wrong, onChange }: LookProps) {
           onChange={(event) => onChange({ ...look, help: event.target.value })}
         />
       </Field>
-      <fieldset className="own-colours">
-        <legend className="field-label muted small-text rigid">{t("own.colour")}</legend>
+      <fieldset className="own-colours flex gap-xs">
+        <legend className="field-title muted small-text rigid">{t("own.colour")}</legend>
         {COLOURS.map((colour) => (
           <label key={colour} title={t(`own.colour-${colour}` as Key)}>
             <input
@@ -79,7 +79,7 @@ export function Look({ look, wrong, onChange }: LookProps) {
         ))}
       </fieldset>
       <fieldset className="own-icons">
-        <legend className="field-label muted small-text rigid">{t("own.icon")}</legend>
+        <legend className="field-title muted small-text rigid">{t("own.icon")}</legend>
         <div>
           {icons.map((icon) => (
             <label key={icon} title={icon}>

@@ -42,7 +42,7 @@ export function NumberRange({ of, means, what, onChange }: NumberRangeProps) {
       {field("first", t("own.first"))}
       {field("unit", t("own.unit"))}
       {measure === null ? null : (
-        <span className="own-aside muted small-text">
+        <span className="muted small-text to-end">
           {[of.min, of.max, of.first]
             .map((one) => {
               const number = whole(one);

@@ -23,7 +23,7 @@ export function Openings({ program, openings, onChange }: OpeningsProps) {
   };
   return (
     <fieldset className="own-openings">
-      <legend>{t("own.open-title")}</legend>
+      <legend className="bold">{t("own.open-title")}</legend>
       {rows.length === 0 ? <p className="sheet-note muted small-text">{t("own.open-none")}</p> : null}
       <ul>
         {rows.map(({ opening, depth }) => (
@@ -66,12 +66,12 @@ function Row({ opening, depth, program, onChange }: RowProps) {
   const what = offer.slot === "" ? t("own.open-vertex", { part }) : t("own.open-slot", { slot, part });
   return (
     <li style={{ paddingInlineStart: depth * 16 }} data-testid={`opening-${opening.key.replace(" ", "-")}`}>
-      <Checkbox className="own-check" checked={on} disabled={offer.is_open} set={(on) => onChange({ on })}>
+      <Checkbox checked={on} disabled={offer.is_open} set={(on) => onChange({ on })}>
         <span>{what}</span>
-        <span className="own-aside muted small-text">{offer.is_open ? t("own.must") : now}</span>
+        <span className="muted small-text to-end">{offer.is_open ? t("own.must") : now}</span>
       </Checkbox>
       {on ? (
-        <div className="own-opening wrap">
+        <div className="own-opening wrap flex gap-m">
           <label htmlFor={`${id}-name`} className="own-named">
             <span>{t("own.name")}</span>
             <input

@@ -33,7 +33,7 @@ export function Preview({ catalogue, program, vertex, title }: PreviewProps) {
   }, [catalogue, program, vertex]);
   if (layout === null) return null;
   return (
-    <figure className="own-preview" data-testid="own-preview">
+    <figure className="own-preview scroll text-centre" data-testid="own-preview">
       <GraphDrawing layout={layout} title={title} inside="" />
     </figure>
   );
@@ -46,7 +46,7 @@ function around({ points }: { points: readonly { x: number; y: number }[] }): Bo
 
 export function PartCode({ lll }: { lll: string }) {
   return (
-    <div className="own-code small-text" data-testid="own-lll">
+    <div className="own-code small-text scroll typed" data-testid="own-lll">
       <TextView text={lll.trimEnd()} label={t("own.lll")} extensions={lllExtensions} />
     </div>
   );

@@ -125,10 +125,10 @@ export function SaveSheet({ program, vertices }: { program: string; vertices: st
     <Sheet title={t("own.save-title")} testId="own-dialog" wide onClose={closeSheet}>
       <form className="own-form" onSubmit={onSubmit}>
         <div className="own-columns">
-          <div>
+          <div className="slim">
             <Look look={look} wrong={wrong} onChange={setLook} />
           </div>
-          <div>
+          <div className="slim">
             <h3>{t("own.preview")}</h3>
             {made === null || withPart === null ? (
               <p className="sheet-note muted small-text">
@@ -149,7 +149,7 @@ export function SaveSheet({ program, vertices }: { program: string; vertices: st
           </div>
         </div>
         {offered === null ? null : <Openings program={program} openings={openings} onChange={setOpenings} />}
-        <Checkbox className="own-check" testId="own-in-place" checked={inPlace} set={setInPlace}>
+        <Checkbox testId="own-in-place" checked={inPlace} set={setInPlace}>
           {t("own.in-place")}
         </Checkbox>
         <SheetEnd why={failure} keep={t("own.saving")} disabled={wish === null || failure !== ""} />

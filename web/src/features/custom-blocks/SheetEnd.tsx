@@ -16,14 +16,14 @@ interface SheetEndProps {
 export function SheetEnd({ why, keep, disabled }: SheetEndProps) {
   return (
     <>
-      <p className="own-failure row small-text" role="status" data-testid="own-failure">
+      <p className="own-failure row small-text gap-s" role="status" data-testid="own-failure">
         {why === "" ? null : (
           <>
             <Icon name="triangle-alert" size={16} /> <Said text={why} />
           </>
         )}
       </p>
-      <div className="sheet-foot">
+      <div className="sheet-foot flex gap-m justify-end">
         <Button onClick={closeSheet}>{t("open.cancel")}</Button>
         <Button ink type="submit" testId="own-save" disabled={disabled}>
           {keep}

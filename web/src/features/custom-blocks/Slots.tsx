@@ -45,11 +45,11 @@ export function Slots({ slots, onChange }: SlotsProps) {
           };
           return (
             <li key={slot.name} data-testid={`slot-${slot.name}`}>
-              <div className="own-slot row">
+              <div className="row">
                 <code dir="ltr">{`{${slot.name}}`}</code>
-                <span className="own-aside muted small-text">{t(`own.kind-${slot.kind}` as Key)}</span>
+                <span className="muted small-text to-end">{t(`own.kind-${slot.kind}` as Key)}</span>
               </div>
-              <div className="own-opening wrap">
+              <div className="own-opening wrap flex gap-m">
                 <label className="own-named">
                   <span>{t("own.name")}</span>
                   <input

@@ -65,7 +65,7 @@ function EventTable({ shown, tickMs, goes }: { shown: RunEvent[]; tickMs: number
               <td>
                 <button
                   type="button"
-                  className="watch-moment"
+                  className="moment"
                   disabled={!goes}
                   title={t("debug.event-go", { time })}
                   onClick={() => useRun.getState().seek(event.tick)}

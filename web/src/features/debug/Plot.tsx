@@ -34,16 +34,16 @@ export function Plot({ agent, object, label, value }: Props) {
   const flat = least === most;
   const said = { name: label, least: words(least), most: words(most), now: words(value) };
   return (
-    <div className="watch-plot" role="img" aria-label={t("debug.plot-of", said)}>
+    <div className="watch-plot flex gap-s" role="img" aria-label={t("debug.plot-of", said)}>
       <svg width={PLOT.width + 2 * EDGE} height={PLOT.height + 2 * EDGE} aria-hidden>
         <g transform={`translate(${String(EDGE)} ${String(EDGE)})`}>
           <path className="watch-now" d={`M${now.x.toFixed(1)} 0V${String(PLOT.height)}`} />
-          <path className="watch-line" d={line} />
+          <path className="watch-line unscaled" d={line} />
           <circle className="watch-dot" cx={now.x} cy={now.y} r={3} />
         </g>
       </svg>
       {/* As on an axis: the most above, the least below; what is there now is set apart, and said once. */}
-      <span className="watch-figures muted">
+      <span className="watch-figures muted nowrap tiny-text figures">
         <span data-now={value === most}>{flat ? null : said.most}</span>
         <span data-now>{flat || (value !== least && value !== most) ? said.now : null}</span>
         <span data-now={value === least}>{flat ? null : said.least}</span>

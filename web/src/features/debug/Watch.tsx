@@ -37,7 +37,7 @@ export function WatchPanel() {
         <>
           {agents.length < 2 || agent === undefined ? null : (
             <Select
-              className="watched small-text"
+              className="watched small-text typed"
               label={t("debug.agent")}
               testId="watch-agent"
               value={agent.name}
@@ -50,7 +50,7 @@ export function WatchPanel() {
               }}
             />
           )}
-          <span className="watch-space" />
+          <span className="grow" />
         </>
       }
     >
@@ -65,7 +65,7 @@ function Values({ agent }: { agent: RunAgent }) {
   const sensors = objects.filter((object) => object.category === "sensor" && object.name in agent.inputs);
   const variables = objects.filter((object) => object.category === "variable" && object.name in agent.values);
   return (
-    <div className="watch-columns wrap">
+    <div className="watch-columns dock-body wrap flex items-start">
       <Column title={t("parts.variables")} objects={variables} agent={agent} sensors={false} />
       <Column title={t("parts.sensors")} objects={sensors} agent={agent} sensors />
       <EventList />
@@ -142,7 +142,7 @@ function Row({ object, agent, sensor }: { object: RobotObject; agent: RunAgent; 
         {sensor ? (
           <button
             type="button"
-            className={forced ? undefined : "is-room"}
+            className={forced ? "tool small" : "tool small is-room"}
             data-testid={forced ? `release-${name}` : undefined}
             aria-label={`${t("debug.release")}: ${label}`}
             title={t("debug.release-help")}

@@ -27,12 +27,16 @@ const WORDS = {
 function Goal({ label, mark, at }: { label: string; mark: Mark; at: number }) {
   const seconds = mark.seconds === null ? null : mark.seconds.toFixed(1);
   return (
-    <li className="exercise-goal wrap" data-state={mark.state} data-testid={`exercise-goal-${String(at + 1)}`}>
+    <li
+      className="exercise-goal wrap flex items-start"
+      data-state={mark.state}
+      data-testid={`exercise-goal-${String(at + 1)}`}
+    >
       <Icon name={ICONS[mark.state]} size={18} label={t(WORDS[mark.state])} />
-      <span className="exercise-goal-words column">
+      <span className="exercise-goal-words column slim">
         <span>{label}</span>
         {mark.why === "" ? null : (
-          <span className="exercise-why muted small-text">
+          <span className="muted small-text breakable">
             <Said text={mark.why} />
           </span>
         )}
@@ -87,12 +91,12 @@ export function ExercisePanel() {
   return (
     <section
       ref={section}
-      className="exercise"
+      className="exercise lesson rigid scroll focus-inside"
       tabIndex={-1}
       data-testid="exercise"
       aria-label={t("exercise.of", { name: text(shown.label) })}
     >
-      <header className="exercise-head row wrap">
+      <header className="exercise-head lesson-head row wrap relative">
         <Icon name={shown.icon} size={18} />
         <h2 className="panel-title">{text(shown.label)}</h2>
         <span className="exercise-count muted small-text" data-testid="exercise-count">
@@ -116,14 +120,14 @@ export function ExercisePanel() {
           onClick={leave}
         />
       </header>
-      <p className="exercise-help">{text(shown.help)}</p>
+      <p className="exercise-help prose">{text(shown.help)}</p>
       {comment === undefined ? null : (
-        <p className="exercise-comment row" role="status" data-testid="exercise-comment">
+        <p className="exercise-comment row gap-m prose" role="status" data-testid="exercise-comment">
           <Icon name="message-circle" size={16} />
           <span dir="auto">{t("exercise.comment", { text: comment })}</span>
         </p>
       )}
-      <ol className="exercise-goals plain-list">
+      <ol className="exercise-goals">
         {shown.goals.map((goal, at) => (
           <Goal key={at} at={at} label={text(goal.label)} mark={marks[at] ?? OPEN} />
         ))}

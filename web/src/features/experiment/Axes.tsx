@@ -14,10 +14,10 @@ const MOST_OFFERED = 200;
 export function Axes({ choices }: { choices: ExperimentChoices }) {
   const axes = useVaried((varied) => varied.axes);
   return (
-    <fieldset className="experiment-axes">
+    <fieldset>
       <legend className="muted small-text">{t("experiment.varies")}</legend>
-      {axes.length === 0 ? <p className="experiment-note muted">{t("experiment.nothing-varies")}</p> : null}
-      <ul className="plain-list column">
+      {axes.length === 0 ? <p className="prose muted">{t("experiment.nothing-varies")}</p> : null}
+      <ul className="column">
         {axes.map((axis) => (
           <Axis key={axis.address} axis={axis} choices={choices} />
         ))}

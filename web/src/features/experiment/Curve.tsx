@@ -58,7 +58,7 @@ export function Curve({ study, axis, measure, joined }: Props) {
   const name = measureWords(study.measures[measure] ?? "");
   const address = study.axes[axis]?.address ?? "";
   return (
-    <div className="experiment-picture" ref={box} dir="ltr">
+    <div className="experiment-picture slim" ref={box} dir="ltr">
       <svg
         ref={svg}
         className="experiment-curve"
@@ -74,17 +74,22 @@ export function Curve({ study, axis, measure, joined }: Props) {
           {curve.ys.map(({ at: y, value }) => (
             <g key={value}>
               <path className="experiment-grid" d={`M${String(FRAME.left)} ${String(y)}H${String(width - RIGHT)}`} />
-              <text className="experiment-mark" x={FRAME.left - 8} y={y + 4} textAnchor="end">
+              <text className="experiment-mark small-text figures" x={FRAME.left - 8} y={y + 4} textAnchor="end">
                 {figure(value)}
               </text>
             </g>
           ))}
           {curve.xs.map(({ at: x, value }) => (
-            <text key={value} className="experiment-mark" x={x} y={HEIGHT - 22} textAnchor="middle">
+            <text key={value} className="experiment-mark small-text figures" x={x} y={HEIGHT - 22} textAnchor="middle">
               {valueWords(value)}
             </text>
           ))}
-          <text className="experiment-mark" x={(FRAME.left + width - RIGHT) / 2} y={HEIGHT - 4} textAnchor="middle">
+          <text
+            className="experiment-mark small-text figures"
+            x={(FRAME.left + width - RIGHT) / 2}
+            y={HEIGHT - 4}
+            textAnchor="middle"
+          >
             {address}
           </text>
           {joined && means.length > 1 ? (

@@ -36,19 +36,19 @@ export function ExperimentPanel() {
     );
   }, [mission, path]);
   const setup = (
-    <div key="setup" className="experiment-setup column">
+    <div key="setup" className="column slim gap-m">
       {busy === null ? <Setup /> : <Progress {...busy} />}
     </div>
   );
   const results = (
-    <div key="results" className="experiment-results column">
+    <div key="results" className="column slim gap-m">
       <Refused refused={refused} />
-      {study === null ? <p className="experiment-note muted">{t("experiment.empty")}</p> : <Results study={study} />}
+      {study === null ? <p className="prose muted">{t("experiment.empty")}</p> : <Results study={study} />}
     </div>
   );
   return (
     <DockPanel id="experiment-panel" testId="experiment" title={t("experiment.title")} close={t("experiment.close")}>
-      <div className="experiment-body" ref={box} data-narrow={isNarrow}>
+      <div className="experiment-body dock-body gap-2xl" ref={box} data-narrow={isNarrow}>
         {/* One below the other, what came of a study is above what is chosen for the next one. */}
         {isNarrow && study !== null ? [results, setup] : [setup, results]}
       </div>
@@ -61,9 +61,9 @@ function Progress({ done, total, left }: { done: number; total: number; left: nu
   const said =
     total === 0 ? t("experiment.preparing") : t("experiment.progress", { done: grouped(done), total: grouped(total) });
   return (
-    <div className="experiment-progress column" data-testid="experiment-progress">
+    <div className="experiment-progress column gap-m items-start" data-testid="experiment-progress">
       <progress aria-label={said} max={Math.max(total, 1)} {...(total === 0 ? {} : { value: done })} />
-      <p>
+      <p className="figures">
         {said}
         {left === null || done >= total ? null : (
           <span className="muted"> {t("experiment.left", { time: clock(left) })}</span>

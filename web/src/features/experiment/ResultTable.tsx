@@ -16,8 +16,8 @@ export function ResultTable({ study }: { study: Study }) {
   return (
     <details className="experiment-table">
       <summary>{t("experiment.table")}</summary>
-      <div className="experiment-scroll">
-        <table className="small-text" data-testid="experiment-table">
+      <div className="scroll-x">
+        <table className="data-table nowrap small-text" data-testid="experiment-table">
           <thead>
             <tr>
               {study.axes.map(({ address }) => (
@@ -61,12 +61,12 @@ export function ResultTable({ study }: { study: Study }) {
         </table>
       </div>
       {study.points.length > MOST_POINTS ? (
-        <p className="experiment-note muted">
+        <p className="prose muted">
           {t("experiment.table-cut", { shown: grouped(MOST_POINTS), all: grouped(study.points.length) })}
         </p>
       ) : null}
       {methods.size === 0 ? null : (
-        <p className="experiment-note muted small-text">
+        <p className="prose muted small-text">
           {t("experiment.methods", { confidence: decimal(100 * study.confidence) })}{" "}
           {[...methods].map((method, at) => (
             <span key={method}>

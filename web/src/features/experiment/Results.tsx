@@ -48,7 +48,7 @@ export function Results({ study }: { study: Study }) {
         </Button>
       </div>
       {study.done === 0 ? (
-        <p className="experiment-note muted">{t("experiment.no-runs")}</p>
+        <p className="prose muted">{t("experiment.no-runs")}</p>
       ) : (
         <>
           <StudyPicture study={study} measure={measure} />
@@ -98,7 +98,7 @@ function StudyPicture({ study, measure }: { study: Study; measure: number }) {
         />
       ) : null}
       <Curve study={study} axis={axis} measure={measure} joined={picture === "curve"} />
-      <p className="experiment-note muted small-text">
+      <p className="prose muted small-text">
         {t("experiment.curve-says", { confidence: decimal(100 * study.confidence) })}
       </p>
     </>

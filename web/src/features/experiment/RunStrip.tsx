@@ -58,13 +58,13 @@ export function RunStrip({ study, measure }: { study: Study; measure: number }) 
   const current = dots[at]?.run ?? own[0];
   const words = pointWords(study, point);
   return (
-    <section className="experiment-runs column" aria-label={t("experiment.runs")}>
-      <p className="experiment-note">
+    <section className="column slim gap-m" aria-label={t("experiment.runs")}>
+      <p className="prose">
         <strong>{t("experiment.runs")}</strong> {words === "" ? null : <bdi dir="ltr">{words}</bdi>}{" "}
         <span className="muted small-text">{t(handKey("experiment.how"))}</span>
       </p>
       {dots.length === 0 ? null : (
-        <div className="experiment-picture" ref={box} dir="ltr">
+        <div className="experiment-picture slim" ref={box} dir="ltr">
           <svg
             ref={svg}
             width={width}
@@ -77,7 +77,13 @@ export function RunStrip({ study, measure }: { study: Study; measure: number }) 
           >
             <g aria-hidden="true">
               {ticksOf(scale, Math.max(2, Math.floor(width / 120))).map((value) => (
-                <text key={value} className="experiment-mark" x={scale.at(value)} y={height + 16} textAnchor="middle">
+                <text
+                  key={value}
+                  className="experiment-mark small-text figures"
+                  x={scale.at(value)}
+                  y={height + 16}
+                  textAnchor="middle"
+                >
                   {figure(value)}
                 </text>
               ))}

@@ -42,11 +42,11 @@ export function Setup() {
       () => stop.abort(),
     );
   }, [asked]);
-  if (choices === null) return <p className="experiment-note muted">{t("experiment.preparing")}</p>;
-  if (choices.measures.length === 0) return <p className="experiment-note muted">{t("experiment.errors")}</p>;
+  if (choices === null) return <p className="prose muted">{t("experiment.preparing")}</p>;
+  if (choices.measures.length === 0) return <p className="prose muted">{t("experiment.errors")}</p>;
   return (
     <form
-      className="column experiment-form"
+      className="column slim gap-m"
       onSubmit={(event) => {
         event.preventDefault();
         if (asked !== null && plan !== null) begin(asked);
@@ -98,7 +98,7 @@ function Measures({ offered }: { offered: readonly string[] }) {
         onChange={(event) => changeSetup({ own: event.target.value })}
       />
       {none ? (
-        <p className="experiment-wrong" role="alert">
+        <p className="warning" role="alert">
           {t("experiment.no-measure")}
         </p>
       ) : null}
@@ -137,7 +137,7 @@ function Limits() {
         </Field>
       </div>
       {wrong ? (
-        <p className="experiment-wrong" id="experiment-seconds-wrong" role="alert">
+        <p className="warning" id="experiment-seconds-wrong" role="alert">
           {t("sweep.seconds-wrong", { most: grouped(LONGEST_S) })}
         </p>
       ) : null}

@@ -19,7 +19,7 @@ export function StudyMaps({ study, measure }: Props) {
   const third = varied.length > 2 ? varied[0] : undefined;
   const values = third === undefined ? [undefined] : (study.axes[third]?.values ?? []);
   return (
-    <div className="experiment-maps">
+    <div className="experiment-maps wrap flex gap-2xl">
       {values.map((value, at) => (
         <StudyMap
           key={at}
@@ -62,7 +62,7 @@ function StudyMap({ study, measure, rows, columns, caption, holds }: MapProps) {
   const name = measureWords(study.measures[measure] ?? "");
   const about = t("experiment.map", { measure: name, rows: down?.address ?? "", columns: across?.address ?? "" });
   return (
-    <div className="experiment-map-box">
+    <div>
       <table
         className="experiment-map small-text"
         role="grid"
@@ -100,7 +100,7 @@ function StudyMap({ study, measure, rows, columns, caption, holds }: MapProps) {
                 return (
                   <td
                     key={other}
-                    className="experiment-field"
+                    className="experiment-field figures text-centre"
                     data-cell={cellName({ row, column })}
                     data-testid={point === undefined ? undefined : `point-${String(point.number)}`}
                     tabIndex={at.row === row && at.column === column ? 0 : -1}

@@ -38,7 +38,7 @@ export function PdfSheet() {
           choose={(fit) => choosePrint({ fit })}
         />
         <p className="sheet-note">{t("pdf.how")}</p>
-        <div className="sheet-foot">
+        <div className="sheet-foot flex gap-m justify-end">
           <button type="button" className="button" onClick={closeOverlay}>
             {t("open.cancel")}
           </button>

@@ -17,14 +17,14 @@ export function Examples() {
   const examples = first((useMissions() ?? []).filter((entry) => entry.example !== null));
   if (examples.length === 0) return null;
   return (
-    <section className="examples" aria-label={t("open.examples")}>
-      <div className="gallery-head">
+    <section className="examples start-text" aria-label={t("open.examples")}>
+      <div className="flex between row">
         <h2>{t("examples.or")}</h2>
-        <button type="button" className="gallery-all muted" data-testid="all-examples" onClick={() => show("open")}>
+        <button type="button" className="text-button muted" data-testid="all-examples" onClick={() => show("open")}>
           {t("examples.all")}
         </button>
       </div>
-      <ul className="gallery">
+      <ul className="gallery gap-2xl card-grid">
         {examples.map((entry) => (
           <li key={entry.path}>
             <Card entry={entry} brief choose={() => openPath(entry.path)} />

@@ -28,7 +28,7 @@ function Chip({ label, pressed, testId, choose }: ChipProps) {
   return (
     <button
       type="button"
-      className="gallery-chip small-text"
+      className="gallery-chip finger small-text hover"
       aria-pressed={pressed}
       data-testid={testId}
       onClick={choose}
@@ -82,7 +82,7 @@ export function Gallery({ examples, open }: GalleryProps) {
           }}
         />
         <Select
-          className="field gallery-robot"
+          className="field gallery-robot slim"
           label={t("gallery.robot")}
           testId="gallery-robot"
           value={wish.robot}
@@ -92,7 +92,7 @@ export function Gallery({ examples, open }: GalleryProps) {
           ]}
           keep={(robot) => change({ robot })}
         />
-        <Checkbox className="gallery-plays finger" testId="gallery-plays" checked={plays} set={playsAlways}>
+        <Checkbox className="finger" testId="gallery-plays" checked={plays} set={playsAlways}>
           {t("gallery.move")}
         </Checkbox>
       </div>
@@ -141,7 +141,7 @@ export function Gallery({ examples, open }: GalleryProps) {
       {byLevel(found).map(({ level, entries }) => (
         <div key={level} className="gallery-level">
           <h4>{t(`gallery.level-${level === 1 || level === 2 || level === 3 ? level : 0}`)}</h4>
-          <ul className="gallery">
+          <ul className="gallery gap-2xl card-grid">
             {entries.map((entry) => (
               <li key={entry.path}>
                 <Card entry={entry} plays={plays} choose={() => open(entry)} onKeyDown={move} />

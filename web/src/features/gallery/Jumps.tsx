@@ -21,12 +21,12 @@ export function Jumps() {
     return () => observer.disconnect();
   }, []);
   return (
-    <nav ref={nav} className="open-jumps wrap" aria-label={t("open.jumps")}>
+    <nav ref={nav} className="open-jumps wrap flex gap-m" aria-label={t("open.jumps")}>
       {headings.map((heading) => (
         <button
           key={heading.textContent}
           type="button"
-          className="gallery-chip small-text"
+          className="gallery-chip finger small-text hover"
           dir="auto"
           onClick={() => {
             heading.scrollIntoView();

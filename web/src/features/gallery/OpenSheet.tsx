@@ -32,13 +32,19 @@ function Entry({ entry: { path, problem }, icon, title }: EntryProps) {
   };
   return (
     <li>
-      <button type="button" className="open-entry row" data-path={path} disabled={problem !== ""} onClick={choose}>
+      <button
+        type="button"
+        className="open-entry row start-text gap-xl hover"
+        data-path={path}
+        disabled={problem !== ""}
+        onClick={choose}
+      >
         <Icon name={problem === "" ? icon : "triangle-alert"} size={18} />
-        <span className="open-title ellipsis" dir="auto" title={title}>
+        <span className="open-title ellipsis medium" dir="auto" title={title}>
           {title}
         </span>
-        {problem === "" ? null : <span className="open-problem muted small-text">{problem}</span>}
-        <span className="open-path ellipsis muted small-text" dir="auto" title={path}>
+        {problem === "" ? null : <span className="muted small-text slim">{problem}</span>}
+        <span className="open-path ellipsis muted small-text slim" dir="auto" title={path}>
           {path}
         </span>
       </button>
@@ -64,7 +70,7 @@ function Lists() {
               <li key={journal}>
                 <button
                   type="button"
-                  className="open-entry row"
+                  className="open-entry row start-text gap-xl hover"
                   disabled={problem !== ""}
                   onClick={() => {
                     show(null);
@@ -72,8 +78,8 @@ function Lists() {
                   }}
                 >
                   <Icon name={problem === "" ? "file" : "triangle-alert"} size={18} />
-                  <span className="open-title ellipsis">{problem || shownName(name)}</span>
-                  <span className="open-path ellipsis muted small-text">
+                  <span className="open-title ellipsis medium">{problem || shownName(name)}</span>
+                  <span className="open-path ellipsis muted small-text slim">
                     {path} {new Date(modified).toLocaleString(languageInUse())}
                   </span>
                 </button>
@@ -114,7 +120,7 @@ export function OpenSheet() {
         <Jumps />
         <Lists />
       </div>
-      <div className="sheet-foot">
+      <div className="sheet-foot flex gap-m justify-end">
         <input
           ref={chooser}
           className="only-spoken"

@@ -16,6 +16,7 @@ import { useShown } from "../../session/simple-view";
 import { addressOf, toggleVaried, useVaried } from "../../session/varied";
 import { Icon } from "../../theme";
 import { Row } from "../../ui/Row";
+import { Tool } from "../../ui/Tool";
 
 /** Runs a command and leaves the selection where it is. */
 function runHere(command: Command | null): void {
@@ -26,7 +27,7 @@ export function BlockEditor({ drawing, spot }: { drawing: Drawing; spot: Spot })
   const { block } = spot;
   const plug = spot.kind === "slot" ? spot.owner.block.shape.plugs.find((one) => one.name === spot.slot) : undefined;
   return (
-    <div className="inspector-rows">
+    <div>
       {spot.kind === "slot" && plug !== undefined && plug.accepts !== "action" ? (
         <SlotRow drawing={drawing} owner={spot.owner.block} plug={plug} label={t("inspector.method")} />
       ) : null}
@@ -80,18 +81,15 @@ function ValueRow({ drawing, block, field }: { drawing: Drawing; block: Block; f
       </>
     );
   return (
-    <div className="inspector-row row">
-      <span className="inspector-label rigid">{text(field.label, field.name)}</span>
-      <span className="inspector-plugged muted">{t("inspector.from-value", { what: wordsOf(filler) })}</span>
-      <button
-        type="button"
-        className="inspector-small"
-        aria-label={t("inspector.type-instead")}
-        title={t("inspector.type-instead")}
+    <div className="field-row row">
+      <span className="field-label rigid">{text(field.label, field.name)}</span>
+      <span className="muted grow">{t("inspector.from-value", { what: wordsOf(filler) })}</span>
+      <Tool
+        small
+        icon="x"
+        label={t("inspector.type-instead")}
         onClick={() => runHere(deleteParts(program, parts, [filler.vertex.id]))}
-      >
-        <Icon name="x" />
-      </button>
+      />
     </div>
   );
 }
@@ -123,7 +121,7 @@ function SlotRow({ drawing, owner, plug, label, children }: SlotRowProps) {
   };
   return (
     <>
-      <Row label={label} className="inspector-row" labelClass="inspector-label rigid">
+      <Row label={label} className="field-row" labelClass="field-label rigid">
         <select
           className="field"
           data-inspector-field=""
@@ -178,10 +176,10 @@ function VaryButton({ address, name }: { address: string; name: string }) {
   const axis = useVaried(({ axes }) => axes.find((one) => one.address === address));
   if (!useShown("verification")) return null;
   return (
-    <div className="inspector-vary row small-text">
+    <div className="row small-text justify-end">
       <button
         type="button"
-        className="inspector-vary-button finger"
+        className="inspector-vary-button finger muted boxed"
         aria-pressed={axis !== undefined}
         title={t("experiment.vary-part")}
         aria-label={t(axis === undefined ? "experiment.vary-field" : "experiment.varied-field", { name })}

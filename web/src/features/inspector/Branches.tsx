@@ -4,7 +4,7 @@ import { addBranch, removeBranch } from "../../model/commands/changeBranches";
 import type { Block } from "../../model/structure";
 import { execute } from "../../model/studio";
 import { useDrawing } from "../../session/drawing";
-import { Icon } from "../../theme";
+import { Tool } from "../../ui/Tool";
 
 export function Branches({ block }: { block: Block }) {
   const drawing = useDrawing();
@@ -17,29 +17,23 @@ export function Branches({ block }: { block: Block }) {
   const last = bodies.findLast((body) => body.chain.length === 0) ?? bodies.at(-1);
   const less = last === undefined ? null : removeBranch(program, parts, id, last.out);
   return (
-    <div className="inspector-row row" role="group" aria-label={t("inspector.branches")}>
-      <span className="inspector-label rigid">{t("inspector.branches")}</span>
-      <span className="inspector-space" />
-      <span className="inspector-count row">
-        <button
-          type="button"
-          aria-label={t("inspector.remove-branch")}
-          title={t("inspector.remove-branch")}
+    <div className="field-row row" role="group" aria-label={t("inspector.branches")}>
+      <span className="field-label rigid">{t("inspector.branches")}</span>
+      <span className="grow" />
+      <span className="inspector-count aligned">
+        <Tool
+          icon="minus"
+          label={t("inspector.remove-branch")}
           disabled={less === null}
           onClick={() => execute(less)}
-        >
-          <Icon name="minus" />
-        </button>
+        />
         <output>{bodies.length}</output>
-        <button
-          type="button"
-          data-testid="add-branch"
-          aria-label={t("inspector.add-branch")}
-          title={t("inspector.add-branch")}
+        <Tool
+          icon="plus"
+          testId="add-branch"
+          label={t("inspector.add-branch")}
           onClick={() => execute(addBranch(program, parts, id))}
-        >
-          <Icon name="plus" />
-        </button>
+        />
       </span>
     </div>
   );

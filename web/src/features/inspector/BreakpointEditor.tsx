@@ -32,8 +32,8 @@ function Editor({ drawing, vertex }: { drawing: Drawing; vertex: string }) {
     execute(made === null ? removeBreakpoint(mission, program, vertex) : setBreakpoint(drawing.parts, mission, made));
   };
   return (
-    <section className="breakpoint-editor" aria-label={t("debug.breakpoint")}>
-      <div className="breakpoint-row row">
+    <section className="inspector-part" aria-label={t("debug.breakpoint")}>
+      <div className="breakpoint-row row gap-xl">
         <span className="breakpoint-name row">
           <span className="breakpoint-dot" data-off={breakpoint === undefined} aria-hidden="true" />
           {t("debug.breakpoint")}
@@ -84,11 +84,11 @@ function When({ breakpoint, put }: Part) {
     if (text.trim() !== when) put({ ...breakpoint, when: text.trim() });
   };
   return (
-    <Row label={t("debug.when")} className="breakpoint-row" labelClass="breakpoint-name row">
+    <Row label={t("debug.when")} className="breakpoint-row gap-xl" labelClass="breakpoint-name row">
       <input
         type="text"
         dir="ltr"
-        className="field breakpoint-when"
+        className="field breakpoint-when slim"
         data-testid="breakpoint-when"
         placeholder="Count.GreaterThan(3)"
         maxLength={1000}
@@ -108,7 +108,7 @@ function When({ breakpoint, put }: Part) {
 function Hits({ breakpoint, put }: Part) {
   const { hits = 1 } = breakpoint;
   return (
-    <Row label={t("debug.hits")} className="breakpoint-row" labelClass="breakpoint-name row">
+    <Row label={t("debug.hits")} className="breakpoint-row gap-xl" labelClass="breakpoint-name row">
       <NumberInput
         className="field breakpoint-hits"
         testId="breakpoint-hits"
@@ -135,9 +135,9 @@ function Who({ breakpoint, put }: Part) {
   };
   return (
     <>
-      <fieldset className="breakpoint-row breakpoint-who row">
+      <fieldset className="breakpoint-row breakpoint-who row gap-xl items-start">
         <legend className="breakpoint-name row">{t("debug.who")}</legend>
-        <span className="breakpoint-agents wrap">
+        <span className="breakpoint-agents wrap flex justify-end">
           {names.map((name) => (
             <Checkbox
               key={name}
@@ -151,7 +151,7 @@ function Who({ breakpoint, put }: Part) {
         </span>
       </fieldset>
       {watched.length < 2 ? null : (
-        <div className="breakpoint-row row">
+        <div className="breakpoint-row row gap-xl">
           <span className="breakpoint-name row">{t("debug.every")}</span>
           <Switch
             on={every}

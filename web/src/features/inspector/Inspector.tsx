@@ -38,11 +38,11 @@ export function Inspector() {
 
 function Nothing() {
   return (
-    <div className="inspector">
+    <div className="inspector column">
       <header className="inspector-head row">
         <h2>{t("inspector.title")}</h2>
       </header>
-      <div className="inspector-nothing muted">
+      <div className="inspector-nothing muted flex">
         <Icon name="mouse-pointer-2" size={18} />
         <p>
           <strong>{t("inspector.nothing")}</strong>
@@ -55,18 +55,18 @@ function Nothing() {
 
 function Terminal({ name, help }: { name: string; help: string }) {
   return (
-    <div className="inspector">
+    <div className="inspector column">
       <header className="inspector-head row">
         <h2>{name}</h2>
       </header>
-      <p className="inspector-help muted small-text">{help}</p>
+      <p className="inspector-help muted small-text below prose">{help}</p>
     </div>
   );
 }
 
 function Many({ count }: { count: number }) {
   return (
-    <div className="inspector">
+    <div className="inspector column">
       <header className="inspector-head row">
         <h2>{t("inspector.many", { count })}</h2>
         <Tools />

@@ -21,16 +21,16 @@ export function Marks({ drawing, spot }: { drawing: Drawing; spot: Spot }) {
   if (around === undefined && !(canMark(spot) && inBranch(spot))) return null;
   const offered = around === undefined ? parts.marks : parts.marks.filter((mark) => mark === around.block.shape);
   return offered.map((mark) => (
-    <div key={mark.element} className="inspector-mark row">
+    <div key={mark.element} className="inspector-mark row gap-xl inspector-part">
       <span
-        className="inspector-disc rigid"
+        className="inspector-disc rigid centred"
         style={{ background: `var(--${mark.colour}-tile)`, color: `var(--${mark.colour}-on-tile)` }}
       >
         <svg width="20" height="20" viewBox="0 0 24 24" aria-hidden="true">
           <circle cx="12" cy="12" r="4.5" fill="none" stroke="currentColor" strokeWidth="2.75" />
         </svg>
       </span>
-      <span>
+      <span className="grow">
         <strong>{shortTitle(mark)}</strong> <span className="muted small-text">{text(mark.help)}</span>
       </span>
       <Switch

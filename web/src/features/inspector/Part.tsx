@@ -25,12 +25,15 @@ export function Part({ drawing, spot }: { drawing: Drawing; spot: Spot }) {
   const icon = shape.method?.icon || shape.icon;
   const help = text(shape.help);
   return (
-    <div className="inspector" data-testid="inspector">
+    <div className="inspector column" data-testid="inspector">
       <header className="inspector-head row">
         <Tile icon={icon} colour={shape.colour} size={22} />
         <h2>{title(shape)}</h2>
         {!places || shape.kind === "unknown" || shape.element === title(shape) ? null : (
-          <code className="inspector-element ellipsis muted" title={t("fields.in-lll", { name: shape.element })}>
+          <code
+            className="inspector-element ellipsis muted slim code-text"
+            title={t("fields.in-lll", { name: shape.element })}
+          >
             {shape.element}
           </code>
         )}
@@ -39,9 +42,11 @@ export function Part({ drawing, spot }: { drawing: Drawing; spot: Spot }) {
       </header>
       <BlockEditor drawing={drawing} spot={spot} />
       {shape.kind === "unknown" ? (
-        <p className="inspector-help muted small-text">{t("inspector.unknown", { element: shape.element })}</p>
+        <p className="inspector-help muted small-text below prose">
+          {t("inspector.unknown", { element: shape.element })}
+        </p>
       ) : null}
-      {help === "" ? null : <p className="inspector-help muted small-text">{help}</p>}
+      {help === "" ? null : <p className="inspector-help muted small-text below prose">{help}</p>}
       <Branches block={spot.block} />
       <Marks drawing={drawing} spot={spot} />
       <NoteField vertex={vertex} />
@@ -62,7 +67,7 @@ function NoteField({ vertex }: { vertex: Vertex }): ReactNode {
   const drawing = useDrawing();
   if (drawing === null) return null;
   return (
-    <label className="inspector-note">
+    <label className="inspector-note flex gap-xl inspector-part items-start">
       <span>{t("inspector.note")}</span>
       <textarea
         className="field"

@@ -5,9 +5,9 @@ import { Tool } from "../../ui/Tool";
 
 export function Tools() {
   return (
-    <span className="inspector-tools muted">
-      <Tool icon="copy" label={t("inspector.duplicate")} onClick={duplicateSelection} />
-      <Tool icon="trash-2" label={t("inspector.delete")} onClick={deleteSelection} />
+    <span className="muted flex to-end gap-2xs">
+      <Tool small icon="copy" label={t("inspector.duplicate")} onClick={duplicateSelection} />
+      <Tool small icon="trash-2" label={t("inspector.delete")} onClick={deleteSelection} />
     </span>
   );
 }

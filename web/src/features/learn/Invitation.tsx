@@ -31,9 +31,9 @@ export function Invitation({ children }: { children: ReactNode }) {
     <>
       {shown.length === 0 ? null : (
         <section className="learn-invitation" aria-label={t("learn.open")}>
-          <div className="learn-invitation-head row">
+          <div className="row between">
             <h2>{t("learn.invite")}</h2>
-            <button type="button" className="learn-all muted" data-testid="all-lessons" onClick={() => show("learn")}>
+            <button type="button" className="text-button muted" data-testid="all-lessons" onClick={() => show("learn")}>
               {t("learn.all")}
             </button>
           </div>

@@ -25,7 +25,7 @@ function Far() {
   const done = usable.filter(({ name }) => learned.includes(name)).length;
   const next = nextLesson(usable, learned, "");
   return (
-    <div className="learn-far row wrap">
+    <div className="learn-far row wrap between">
       <p className="column" role="status" data-testid="learn-count">
         {next === null ? t("learn.whole") : t("learn.done-of", { done, total: usable.length })}
         <progress aria-hidden="true" max={Math.max(1, usable.length)} value={done} />

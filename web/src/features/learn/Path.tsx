@@ -25,7 +25,7 @@ function Card({ lesson, learned, next, brief, onKeyDown }: CardProps) {
   return (
     <button
       type="button"
-      className="learn-card surface column"
+      className="learn-card card surface column"
       data-testid={`${lesson.kind}-${brief ? "offer" : "card"}-${lesson.name}`}
       data-learned={learned}
       aria-current={next ? "step" : undefined}
@@ -36,19 +36,19 @@ function Card({ lesson, learned, next, brief, onKeyDown }: CardProps) {
       onFocus={() => setNear(true)}
       onBlur={() => setNear(false)}
     >
-      <MissionPicture className="learn-picture" path={lesson.start} plays={near}>
-        <span className="learn-icon">
+      <MissionPicture className="learn-picture card-picture relative" path={lesson.start} plays={near}>
+        <span className="learn-icon centred ink">
           <Icon name={lesson.icon} size={brief ? 22 : 26} />
         </span>
       </MissionPicture>
       {learned ? (
-        <span className="learn-tick">
+        <span className="learn-tick badge card-tick">
           <Icon name="check" size={16} label={t("learn.learned")} />
         </span>
       ) : null}
       <strong>{text(lesson.label)}</strong>
-      {brief ? null : <span className="learn-help muted small-text">{text(lesson.help)}</span>}
-      <small className="muted">
+      {brief ? null : <span className="learn-help muted small-text breakable">{text(lesson.help)}</span>}
+      <small>
         {t(`learn.${lesson.kind}`)} · {lesson.far()}
       </small>
     </button>
@@ -59,14 +59,14 @@ function Card({ lesson, learned, next, brief, onKeyDown }: CardProps) {
 function Broken({ lesson: { kind, name, problems } }: { lesson: Lesson }) {
   const [first] = problems;
   return (
-    <div className="learn-card is-broken surface column" data-testid={`${kind}-card-${name}`}>
-      <span className="learn-picture">
-        <span className="learn-icon">
+    <div className="learn-card is-broken card surface column" data-testid={`${kind}-card-${name}`}>
+      <span className="learn-picture card-picture relative">
+        <span className="learn-icon centred ink">
           <Icon name="triangle-alert" size={26} />
         </span>
       </span>
       <strong dir="auto">{name}</strong>
-      <span className="learn-help muted small-text">
+      <span className="learn-help muted small-text breakable">
         {t(kind === "tutorial" ? "tutorial.broken" : "exercise.broken")}{" "}
         {first === undefined ? null : <Said text={t("banner.line", { line: first.line, message: first.message })} />}
       </span>
@@ -119,7 +119,7 @@ export function Path({ lessons, brief = false }: PathProps) {
     cards[to]?.focus();
   };
   return (
-    <ol className="learn-path plain-list" ref={room}>
+    <ol className="learn-path start-text card-grid" ref={room}>
       {lessons.map((lesson) => (
         <li key={lesson.name}>
           {lesson.usable ? (

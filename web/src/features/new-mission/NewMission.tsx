@@ -89,7 +89,7 @@ interface CardProps {
 
 function Card({ row, value, label, help, chosen, reason = "", choose, children }: CardProps) {
   return (
-    <label className="new-card surface column" data-chosen={chosen} data-off={reason !== ""}>
+    <label className="new-card card surface column" data-chosen={chosen} data-off={reason !== ""}>
       <input
         type="radio"
         className="only-spoken"
@@ -100,11 +100,11 @@ function Card({ row, value, label, help, chosen, reason = "", choose, children }
         data-testid={`new-${row}-${value}`}
         onChange={choose}
       />
-      <span className="new-picture">{children}</span>
+      <span className="new-picture card-picture">{children}</span>
       <strong>{label}</strong>
       <small>{reason || firstSentence(help)}</small>
       {chosen ? (
-        <span className="new-tick">
+        <span className="badge card-tick">
           <Icon name="check" size={14} />
         </span>
       ) : null}
@@ -116,12 +116,12 @@ function Row({ number, title, children }: { number: number; title: string; child
   return (
     <fieldset className="new-row">
       <legend>
-        <span className="new-number small-text" aria-hidden="true">
+        <span className="new-number small-text centred" aria-hidden="true">
           {number}
         </span>
         {title}
       </legend>
-      <div className="new-cards">{children}</div>
+      <div className="new-cards gap-2xl">{children}</div>
     </fieldset>
   );
 }
@@ -131,7 +131,7 @@ function Abilities({ title, all }: { title: string; all: readonly Ability[] }) {
   return (
     <section className="new-abilities">
       <h3>{title}</h3>
-      <ul className="plain-list">
+      <ul>
         {all.map(({ icon, label }) => (
           <li key={label[""]}>
             <Icon name={icon} size={16} />
@@ -184,7 +184,7 @@ function Form({ all, taken }: { all: Beginnings; taken: readonly string[] }) {
 
   return (
     <form
-      className="new-mission"
+      className="new-mission fill relative"
       ref={form}
       data-testid="new-mission"
       aria-labelledby="new-title"
@@ -200,7 +200,7 @@ function Form({ all, taken }: { all: Beginnings; taken: readonly string[] }) {
         beginMission(() => beginningsApi.mission(robotSet, place, starter), freeMissionName(name, taken));
       }}
     >
-      <main className="new-rows">
+      <main className="new-rows scroll">
         <Doors />
         <h2 id="new-title">{t("new.title")}</h2>
         <p>{t("new.help")}</p>
@@ -266,8 +266,8 @@ function Form({ all, taken }: { all: Beginnings; taken: readonly string[] }) {
           ))}
         </Row>
       </main>
-      <aside className="new-side column" aria-label={t("new.yours")}>
-        <div className="new-side-head row">
+      <aside className="new-side column scroll gap-2xl" aria-label={t("new.yours")}>
+        <div className="between aligned">
           <h2>{t("new.yours")}</h2>
           <Tool small icon="x" label={t("help.close")} titled={false} onClick={closeOverlay} />
         </div>
@@ -293,8 +293,8 @@ function Form({ all, taken }: { all: Beginnings; taken: readonly string[] }) {
             </section>
           )}
         </div>
-        <div className="new-end column">
-          <label className="field-label muted small-text rigid" htmlFor="new-name">
+        <div className="new-end column gap-m">
+          <label className="field-title muted small-text rigid" htmlFor="new-name">
             {t("new.name")}
           </label>
           <input
@@ -308,12 +308,12 @@ function Form({ all, taken }: { all: Beginnings; taken: readonly string[] }) {
             onFocus={(event) => event.target.select()}
             onChange={(event) => setName(event.target.value)}
           />
-          <button type="submit" className="new-begin row bold" data-testid="new-begin">
+          <button type="submit" className="new-begin row bold ink justify-centre" data-testid="new-begin">
             <Icon name="arrow-right" size={18} />
             {t("new.begin")}
             <kbd aria-hidden="true">Enter</kbd>
           </button>
-          <button type="button" className="new-all muted" onClick={() => show("open")}>
+          <button type="button" className="new-all text-button muted" onClick={() => show("open")}>
             {t("examples.all")}
           </button>
         </div>

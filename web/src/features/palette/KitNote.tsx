@@ -8,7 +8,7 @@ export function KitNote() {
   const kit = useKit((state) => state.kit);
   if (kit === null) return null;
   return (
-    <p className="palette-kit row muted small-text rigid" data-testid="palette-kit">
+    <p className="palette-kit row muted small-text rigid between" data-testid="palette-kit">
       <span className="ellipsis">{t("kits.parts-of", { name: text(kit.label, kit.name) })}</span>
       <Tool small icon="x" label={t("kits.all-parts")} testId="palette-all-parts" onClick={() => buildWith(null)} />
     </p>

@@ -105,15 +105,16 @@ export function Palette() {
 
   const searching = query.trim() !== "";
   return (
-    <div className="palette" ref={bin}>
+    <div className="palette column relative" ref={bin}>
       <Bin />
-      <div className="palette-head rigid">
+      <div className="palette-head rigid column">
         <RobotButton />
         {kit === null ? null : <KitNote />}
         <label className="palette-find row muted rigid">
           <Icon name="search" />
           <input
             ref={find}
+            className="bare"
             type="search"
             aria-label={t("parts.find")}
             placeholder={t("parts.find-example")}
@@ -197,7 +198,12 @@ function Bin() {
   const away = useDrag((drag) => drag.away);
   if (!open) return null;
   return (
-    <div className="palette-bin column bold" data-away={away} data-testid="parts-bin" aria-hidden="true">
+    <div
+      className="palette-bin column bold muted justify-centre text-centre"
+      data-away={away}
+      data-testid="parts-bin"
+      aria-hidden="true"
+    >
       <Icon name="trash-2" size={24} />
       {t("parts.throw-away")}
     </div>

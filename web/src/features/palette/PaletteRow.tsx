@@ -38,12 +38,12 @@ export function PaletteRow({ row, robot, focused, onFocus, onNamed }: RowProps) 
     return (
       <div
         {...common}
-        className="palette-part palette-new row muted"
+        className="palette-part palette-new row muted hover"
         data-testid="new-variable"
         onClick={() => newVariable()}
       >
         <Icon name="plus" size={16} />
-        <span className="palette-name">{row.label}</span>
+        <span className="palette-name grow breakable">{row.label}</span>
       </div>
     );
   }
@@ -54,7 +54,7 @@ export function PaletteRow({ row, robot, focused, onFocus, onNamed }: RowProps) 
   return (
     <div
       {...common}
-      className="palette-part row"
+      className="palette-part row hover"
       data-testid={`part-${shape.element}`}
       title={text(shape.help)}
       {...(actions === null ? {} : removableProps(actions))}
@@ -67,9 +67,9 @@ export function PaletteRow({ row, robot, focused, onFocus, onNamed }: RowProps) 
       }}
     >
       <Tile icon={icon} colour={shape.colour} size={22} />
-      <span className="palette-name">{row.label}</span>
-      {row.aside === "" ? null : <span className="palette-aside ellipsis muted">{row.aside}</span>}
-      {actions === null ? null : <CustomBlockMore name={shape.element} />}
+      <span className="palette-name grow breakable">{row.label}</span>
+      {row.aside === "" ? null : <span className="palette-aside ellipsis muted rigid tiny-text">{row.aside}</span>}
+      {actions !== null ? <CustomBlockMore name={shape.element} /> : null}
     </div>
   );
 }
@@ -92,14 +92,14 @@ function ObjectRow({ row, robot, common, onNamed }: ObjectProps) {
       {...(actions === null ? {} : removableProps(actions))}
       {...(variable === null ? {} : { onDoubleClick: () => renameVariable(variable) })}
       onPointerDown={(event) => actions !== null && onLongPress(event, actions.openMenu)}
-      className="palette-object row"
+      className="palette-object row bold"
       data-testid={`object-${object.name}`}
     >
       <Icon name={iconOf(object)} size={14} />
       {variable !== null && renaming?.name === variable.name && renaming.robot === robot ? (
         <VariableName of={variable} done={onNamed} />
       ) : (
-        <span className="palette-name">{row.label}</span>
+        <span className="palette-name grow breakable">{row.label}</span>
       )}
       <Live object={object} />
     </div>
@@ -120,7 +120,7 @@ function Live({ object }: { object: RobotObject }) {
     return object.category === "sensor" ? agent?.inputs[object.name] : agent?.values[object.name];
   });
   if (value === undefined) return null;
-  return <span className="palette-live rigid">{valueWords(object, value)}</span>;
+  return <span className="palette-live rigid nowrap tiny-text">{valueWords(object, value)}</span>;
 }
 
 /** The button at the end of a part's row that opens its menu; keys open it from the row itself. */
@@ -128,7 +128,7 @@ function CustomBlockMore({ name }: { name: string }) {
   return (
     <button
       type="button"
-      className="own-more muted rigid"
+      className="own-more tool small muted rigid to-end"
       tabIndex={-1}
       aria-label={t("own.menu", { name })}
       title={t("own.menu", { name })}

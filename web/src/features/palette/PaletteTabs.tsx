@@ -41,12 +41,12 @@ interface TabsProps {
 export function PaletteTabs({ tabs, list, onChoose }: TabsProps) {
   const inView = useInView(list, tabs);
   return (
-    <div className="palette-tabs rigid" role="group" aria-label={t("parts.tabs")}>
+    <div className="palette-tabs rigid gap-xs" role="group" aria-label={t("parts.tabs")}>
       {tabs.map((tab) => (
         <button
           key={tab.name}
           type="button"
-          className="palette-tab column"
+          className="palette-tab column slim gap-2xs hover justify-centre"
           data-testid={`palette-tab-${tab.name}`}
           aria-current={tab.name === inView}
           title={tab.label}

@@ -40,10 +40,10 @@ export function RobotButton() {
     <MenuButton
       id="palette-robot"
       label={t("parts.change-robot")}
-      className="palette-robot row bold rigid"
+      className="palette-robot row bold rigid start-text boxed"
       entries={entries}
     >
-      <span className="palette-name">{kinds.find(({ name }) => name === robot)?.label ?? robot}</span>
+      <span className="palette-name grow breakable">{kinds.find(({ name }) => name === robot)?.label ?? robot}</span>
       <Icon name="chevron-down" size={14} />
     </MenuButton>
   );

@@ -89,7 +89,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
 
   return (
     <form
-      className="variable-form column"
+      className="variable-form column surface gap-m"
       data-testid="variable-form"
       aria-labelledby={`${id}-title`}
       onSubmit={(event: FormEvent) => {
@@ -133,7 +133,7 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
           keep={(type) => change({ type: type as Typed["type"], initial: "0" })}
         />
       </Field>
-      <div className="variable-numbers">
+      <div className="variable-numbers gap-m">
         {isNumber ? (
           <>
             {number("min", t("variable.from"))}
@@ -164,14 +164,14 @@ export function VariableForm({ robot, was, name }: { robot: string; was: string;
       >
         {t("variable.shared")}
       </Checkbox>
-      <p className="variable-why small-text" id={`${id}-why`} role="alert" data-testid="variable-why">
+      <p className="variable-why small-text regular" id={`${id}-why`} role="alert" data-testid="variable-why">
         {why === "" ? null : (
           <>
             <Icon name="triangle-alert" size={14} /> <Said text={why} />
           </>
         )}
       </p>
-      <div className="variable-foot wrap">
+      <div className="wrap flex gap-m justify-end">
         <Button testId="variable-cancel" onClick={close}>
           {t("variable.cancel")}
         </Button>

@@ -46,7 +46,7 @@ export function VariableName({ of, done }: { of: Named; done: (name: string) => 
     <span className="variable-rename column">
       <input
         ref={input}
-        className="finger"
+        className="field"
         dir="auto"
         spellCheck={false}
         autoComplete="off"
@@ -72,7 +72,7 @@ export function VariableName({ of, done }: { of: Named; done: (name: string) => 
         }}
       />
       {why === "" ? null : (
-        <span className="variable-why small-text" id={id} role="alert" ref={said}>
+        <span className="variable-why small-text regular" id={id} role="alert" ref={said}>
           <Said text={why} />
         </span>
       )}

@@ -28,11 +28,11 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
   const held = useRun(isHeldByRobots);
   const place = problem.program !== "" ? problem.program : (problem.file.split(/[\\/]/).at(-1) ?? "");
   return (
-    <li className="problem-row row">
+    <li className="problem-row aligned">
       <button
         type="button"
         ref={button}
-        className="problem"
+        className="problem flex start-text focus-inside items-start"
         data-testid={`problem-${String(index + 1)}`}
         aria-current={current}
         onClick={() => {
@@ -46,12 +46,12 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
           label={t(`problems.${problem.severity}`)}
           className={`problem-${problem.severity}`}
         />
-        <span className="problem-words">
-          <span className="problem-message">
+        <span className="grow">
+          <span className="block">
             <Said text={sentence(problem.message)} />
           </span>
           {problem.help === "" ? null : (
-            <span className="problem-help muted small-text">
+            <span className="problem-help muted small-text block">
               <Said text={sentence(problem.help)} />
             </span>
           )}
@@ -60,12 +60,12 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
           {place}
           {problem.line > 0 ? `:${String(problem.line)}` : ""}
         </span>
-        <code className="problem-code muted">{problem.code}</code>
+        <code className="problem-code muted code-text">{problem.code}</code>
       </button>
       {play === null ? null : (
         <button
           type="button"
-          className="problem-fix rigid"
+          className="button problem-fix"
           data-testid={`show-${String(index + 1)}`}
           disabled={held}
           title={held ? t("check.real") : undefined}
@@ -82,7 +82,7 @@ function Row({ problem, index, at }: { problem: Problem; index: number; at: numb
       {canFix(problem) ? (
         <button
           type="button"
-          className="problem-fix rigid"
+          className="button problem-fix"
           data-testid={`fix-${String(index + 1)}`}
           title={`${t("problems.fix")} (${FIX_KEY})`}
           aria-label={t("problems.fix-this", { message: sentence(problem.message) })}
@@ -117,7 +117,7 @@ export function ProblemList() {
           ))}
           {left > 0 ? (
             <li>
-              <button type="button" className="problem-more" onClick={() => setShown(count + ROWS)}>
+              <button type="button" className="problem-more hover" onClick={() => setShown(count + ROWS)}>
                 {t("problems.more", { count: Math.min(ROWS, left), all: grouped(left) })}
               </button>
             </li>

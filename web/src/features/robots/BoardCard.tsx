@@ -55,7 +55,7 @@ function Stands({ board }: { board: Board | null }) {
   if (board === null) {
     // Its line is there before anything is known, so that what comes moves nothing.
     return (
-      <p className="robot-stands wrap muted small-text">
+      <p className="robot-stands wrap muted small-text flex below">
         <span>{stateWords(board)}</span>
       </p>
     );
@@ -64,7 +64,7 @@ function Stands({ board }: { board: Board | null }) {
   const named = board.program !== "" || board.installed === "" || board.installed === "-";
   return (
     <p
-      className="robot-stands wrap muted small-text"
+      className="robot-stands wrap muted small-text flex below"
       data-testid="robot-state"
       data-phase={board.phase}
       data-state={board.state}
@@ -87,17 +87,17 @@ function Fault({ board }: { board: Board }) {
   if (fault === null) return null;
   const place = fault.line > 0 ? t("boards.fault-line", { line: fault.line }) : "";
   return (
-    <div className="robot-trouble" role="alert" data-testid="robot-fault">
+    <div className="robot-trouble notice flex below items-start" role="alert" data-testid="robot-fault">
       <Icon name="octagon-x" size={16} />
-      <p>
+      <p className="grow">
         <strong>
           {t("boards.fault", { number: fault.number })} <Said text={fault.sentence} />
         </strong>
-        {fault.text === "" ? null : <code className="robot-text">{fault.text}</code>}
+        {fault.text === "" ? null : <code className="block code-text">{fault.text}</code>}
         {fault.vertex === "" ? null : (
           <button
             type="button"
-            className="robot-link"
+            className="robot-link start-text medium"
             data-testid="robot-fault-vertex"
             onClick={() => goToFault(board.address)}
           >
@@ -118,12 +118,23 @@ function Trouble({ place: { address, board, firmware } }: { place: Place }) {
   return (
     <TroubleBox said={said} testId="robot-trouble">
       {first === undefined ? null : (
-        <button type="button" className="robot-link" data-testid="robot-problems" onClick={showFirstProblem}>
+        <button
+          type="button"
+          className="robot-link start-text medium"
+          data-testid="robot-problems"
+          onClick={showFirstProblem}
+        >
           {t("boards.problems", { count: said.problems.length })}
         </button>
       )}
       {firmware !== "" && refused === undefined && board?.phase === "closed" ? (
-        <a className="robot-link" href={firmware} target="_blank" rel="noreferrer" data-testid="robot-firmware">
+        <a
+          className="robot-link start-text medium"
+          href={firmware}
+          target="_blank"
+          rel="noreferrer"
+          data-testid="robot-firmware"
+        >
           {t("boards.firmware")}
         </a>
       ) : null}
@@ -140,8 +151,9 @@ function Program({ address, disabled }: { address: string; disabled: boolean }) 
   const state = useBoards();
   const names = programs.map(({ name }) => name);
   return (
-    <Row label={t("boards.program")} className="robot-program muted">
+    <Row label={t("boards.program")} className="robot-program muted below">
       <Select
+        className="field small-field"
         label={t("boards.program")}
         testId="robot-program"
         disabled={disabled}
@@ -162,7 +174,7 @@ function Acts({ place: { address, board }, title }: { place: Place; title: strin
   if (board?.phase === "sending") return null;
   // While it is greeted they keep their place, and wait.
   return (
-    <fieldset className="robot-acts row wrap" disabled={board?.phase === "connecting"} aria-labelledby={title}>
+    <fieldset className="robot-acts row wrap slim" disabled={board?.phase === "connecting"} aria-labelledby={title}>
       {board?.phase === "lost" ? (
         <Act
           ink
@@ -225,7 +237,7 @@ function Acts({ place: { address, board }, title }: { place: Place; title: strin
 function Recorded({ board }: { board: Board | null }) {
   if (board?.recorded !== true || board.phase === "sending") return null;
   return (
-    <div className="robot-acts robot-recorded row wrap" data-testid="robot-recorded">
+    <div className="robot-acts robot-recorded row wrap slim" data-testid="robot-recorded">
       <Act
         icon="clapperboard"
         label={t("boards.play-recording")}
@@ -255,8 +267,8 @@ export function BoardCard({ place }: { place: Place }) {
   const open = board?.phase === "open";
   const state = board === null || board.phase !== "open" ? "idle" : SHAPES[board.state];
   return (
-    <li className="robot" data-testid="robot" data-address={address} aria-labelledby={title}>
-      <div className="robot-head row">
+    <li className="robot boxed" data-testid="robot" data-address={address} aria-labelledby={title}>
+      <div className="row">
         <StateShape state={board?.phase === "lost" ? "stalled" : state} size={10} />
         <h3 id={title} className="panel-title ellipsis">
           {name}
@@ -266,11 +278,11 @@ export function BoardCard({ place }: { place: Place }) {
             {t("boards.at-page")}
           </span>
         ) : address.endsWith(name) ? null : (
-          <span className="robot-address ellipsis muted" dir="ltr" title={description}>
+          <span className="ellipsis muted code-text" dir="ltr" title={description}>
             {address}
           </span>
         )}
-        <span className="robots-space" />
+        <span className="grow" />
         {open && mine ? (
           <Tool
             small
@@ -320,7 +332,7 @@ export function BoardCard({ place }: { place: Place }) {
           <Recorded board={board} />
         </>
       ) : (
-        <div className="robot-acts row wrap">
+        <div className="robot-acts row wrap slim">
           <span className="robots-note muted">{t("boards.another-page")}</span>
           <Act ink icon="square" label={t("boards.stop")} testId="robot-stop" onPress={() => stopBoard(address)} />
         </div>

@@ -32,19 +32,19 @@ function Question({ kit, file }: { kit: KitEntry; file: File | null }) {
       <p className="sheet-note">
         <Said text={t("board-file.about", { kit: text(kit.label, kit.name) })} />{" "}
         {kit.firmware === "" ? null : (
-          <a className="robot-link" href={kit.firmware} target="_blank" rel="noreferrer">
+          <a className="robot-link start-text medium" href={kit.firmware} target="_blank" rel="noreferrer">
             {t("boards.firmware")}
           </a>
         )}
       </p>
-      <div className="robot-flash">
+      <div className="robot-flash gap-m">
         {file === null ? null : (
           <p data-testid="board-file-kept">
             <Said text={t("board-file.kept", { name: file.name })} />
           </p>
         )}
         {wrong === null ? null : <TroubleBox said={wrong} testId="board-file-trouble" />}
-        <div className="robot-acts row wrap">
+        <div className="robot-acts row wrap slim">
           <input
             ref={chooser}
             className="only-spoken"

@@ -32,7 +32,7 @@ export function FirmwareNeed({ kit, has, page }: NeedProps) {
   const href = kit.firmware || page || "https://micropython.org/download/";
   return (
     <p
-      className={older ? "robot-need muted small-text is-older" : "robot-need muted small-text"}
+      className={older ? "robot-need muted small-text is-older flex gap-s" : "robot-need muted small-text flex gap-s"}
       role={older ? "alert" : undefined}
       data-testid="robot-need"
       data-met={has === "" ? "unknown" : older ? "no" : "yes"}
@@ -43,7 +43,7 @@ export function FirmwareNeed({ kit, has, page }: NeedProps) {
           ? t("firmware.needs", { least })
           : t(older ? "firmware.older" : "firmware.met", { least, version: has })}{" "}
         {has === "" || older ? (
-          <a className="robot-link" href={href} target="_blank" rel="noreferrer">
+          <a className="robot-link start-text medium" href={href} target="_blank" rel="noreferrer">
             {t("boards.firmware")}
           </a>
         ) : null}
@@ -93,11 +93,11 @@ function Flashing() {
       .finally(() => setBusy(false));
   };
   return (
-    <div ref={place} className="robot-flash" data-testid="firmware">
+    <div ref={place} className="robot-flash gap-m" data-testid="firmware">
       <p className="robots-note muted">
         {t("firmware.about")}{" "}
         {page === "" ? null : (
-          <a className="robot-link" href={page} target="_blank" rel="noreferrer">
+          <a className="robot-link start-text medium" href={page} target="_blank" rel="noreferrer">
             {t("firmware.page")}
           </a>
         )}
@@ -108,8 +108,9 @@ function Flashing() {
         </p>
       ) : (
         <>
-          <Row label={t("firmware.drive")} className="robot-program muted">
+          <Row label={t("firmware.drive")} className="robot-program muted below">
             <Select
+              className="field small-field"
               label={t("firmware.drive")}
               testId="firmware-drive"
               disabled={busy}
@@ -121,7 +122,7 @@ function Flashing() {
               keep={setChosen}
             />
           </Row>
-          <Row label={t("firmware.file")} className="robot-program muted">
+          <Row label={t("firmware.file")} className="robot-program muted below">
             <input
               key={done}
               type="file"
@@ -139,7 +140,7 @@ function Flashing() {
           <Said text={done} />
         </p>
       )}
-      <div className="robot-acts row wrap">
+      <div className="robot-acts row wrap slim">
         {drives !== null && drives.length > 0 ? (
           <Act
             ink

@@ -25,7 +25,7 @@ export function KitChoice({ address, disabled, has, page }: KitProps) {
   const name = chosen === "" ? own : text(kit?.label ?? {}, chosen);
   return (
     <>
-      <p className="robot-program row muted">
+      <p className="robot-program row muted below">
         <span>{t("boards.kit")}</span>
         <strong title={text(kit?.help ?? {})}>{name}</strong>
         <Button

@@ -41,7 +41,7 @@ function Fit({ fit }: { fit: KitFit | undefined }) {
   const { missing, problem } = fit;
   const runs = problem === "";
   return (
-    <span className="kit-fit muted small-text" data-runs={runs}>
+    <span className="kit-fit muted small-text flex gap-xs items-start" data-runs={runs}>
       <Icon name={runs ? "check" : "x"} size={14} />
       <span>
         {runs ? (
@@ -119,12 +119,12 @@ function Question({ address }: { address: string }) {
       <p className="sheet-note muted small-text">
         <Said text={t("kits.help", { program })} />
       </p>
-      <ul className="kit-cards" ref={list}>
+      <ul className="kit-cards card-grid" ref={list}>
         {(there ? cards : []).map(({ kit, label, help, picture, fit }) => (
           <li key={kit}>
             <button
               type="button"
-              className="kit-card column"
+              className="kit-card card surface column wide breakable gap-2xs"
               data-testid="kit-card"
               data-kit={kit}
               aria-pressed={kit === chosen}
@@ -132,7 +132,7 @@ function Question({ address }: { address: string }) {
               onClick={() => chooseKit(address, kit)}
               onKeyDown={move}
             >
-              <span className="kit-picture">{picture}</span>
+              <span className="kit-picture card-picture centred">{picture}</span>
               <strong>{label}</strong>
               <Fit fit={fit} />
             </button>

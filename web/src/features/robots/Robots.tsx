@@ -42,8 +42,8 @@ function Barred() {
   const barred = useBoards((state) => state.barred);
   if (barred === null) return null;
   return (
-    <div className="robots-barred" role="alert" data-testid="robots-barred">
-      <p>
+    <div className="robot-trouble notice flex below items-start" role="alert" data-testid="robots-barred">
+      <p className="grow">
         <strong>
           <Said text={barred.message} />
         </strong>{" "}
@@ -69,7 +69,7 @@ function Network() {
     <form className="robots-network" onSubmit={add} noValidate>
       <label htmlFor="robots-address">{t("boards.network")}</label>
       <input
-        className="field"
+        className="field small-field code-text"
         id="robots-address"
         data-testid="robots-address"
         dir="ltr"
@@ -136,7 +136,7 @@ function Places() {
   return (
     <>
       {places.length > 0 ? (
-        <ul className="robots-list">
+        <ul className="robots-list gap-m">
           {places.map((place) => (
             <BoardCard key={place.address} place={place} />
           ))}
@@ -166,16 +166,16 @@ export function Robots() {
   useLooking();
   const looking = useBoards((state) => state.ports === null && state.barred === null && placesOf(state).length === 0);
   return (
-    <section className="robots" data-testid="robots" aria-label={t("boards.title")}>
-      <header className="robots-head row rigid">
+    <section className="robots column" data-testid="robots" aria-label={t("boards.title")}>
+      <header className="robots-head row rigid panel-head">
         <h2 className="panel-title">{t("boards.title")}</h2>
-        <span className="robots-space" />
+        <span className="grow" />
         <Together />
         <Tool small icon="x" label={t("boards.close")} testId="robots-close" onClick={() => showRobots(false)} />
       </header>
       <KitSheet />
       <BoardFileSheet />
-      <div className="robots-body">
+      <div className="dock-body fill">
         <Barred />
         {inPage() ? null : <TeamPart />}
         {looking ? <p className="robots-note muted">{t("boards.looking")}</p> : <Places />}

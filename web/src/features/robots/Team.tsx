@@ -68,12 +68,13 @@ function Member({ name, disabled }: { name: string; disabled: boolean }) {
   const label = useId();
   return (
     <li className="crew-member" data-testid="crew-member" data-agent={name} data-state={standing?.state ?? "idle"}>
-      <div className="crew-row">
+      <div className="crew-row gap-m">
         <StateShape state={standing?.failed === true ? "failed" : SHAPES[standing?.state ?? "idle"]} size={10} />
-        <span className="crew-name ellipsis" id={label}>
+        <span className="ellipsis medium" id={label}>
           {name}
         </span>
         <Select
+          className="field small-field"
           label={t("crew.body", { name })}
           testId="crew-body"
           disabled={disabled}
@@ -103,7 +104,7 @@ function Status({ team, other }: { team: Team | null; other: boolean }) {
   return (
     <>
       <p
-        className="crew-status muted small-text wrap"
+        className="crew-status muted small-text wrap flex below"
         role="status"
         data-testid="crew-status"
         data-phase={team?.phase ?? "idle"}
@@ -121,13 +122,13 @@ function Acts({ team, boards, ready }: { team: Team | null; boards: number; read
   const busy = isBusy(team);
   if (busy && team?.phase !== "sending")
     return (
-      <div className="robot-acts row wrap">
+      <div className="robot-acts row wrap slim">
         <Act ink icon="square" label={t("crew.stop")} testId="crew-stop" onPress={stopEverything} />
         <Act icon="eye" label={t("crew.watch")} testId="crew-watch" onPress={() => showRobots(false)} />
       </div>
     );
   return (
-    <div className="robot-acts row wrap">
+    <div className="robot-acts row wrap slim">
       {busy ? <Act icon="x" label={t("boards.cancel")} testId="crew-cancel" onPress={cancelTeam} /> : null}
       <Act
         ink
@@ -162,7 +163,7 @@ export function TeamPart() {
   const tooMany = agents.length > MOST_AGENTS;
   const boards = agents.filter(({ name }) => bodyOf(state, path, name) !== "").length;
   return (
-    <section className="crew" data-testid="crew" aria-labelledby={title}>
+    <section className="crew boxed" data-testid="crew" aria-labelledby={title}>
       <h3 id={title} className="panel-title">
         {t("crew.title")}
       </h3>
@@ -172,7 +173,7 @@ export function TeamPart() {
       <Status team={team} other={other} />
       <Acts team={team} boards={boards} ready={you !== "" && !tooMany} />
       {tooMany ? null : (
-        <ul className="crew-list plain-list">
+        <ul className="crew-list gap-xs">
           {agents.map(({ name }) => (
             <Member key={name} name={name} disabled={isBusy(team)} />
           ))}

@@ -47,12 +47,12 @@ function Step({
         aria-pressed={going}
         onClick={() => tryStep(address, going ? null : at)}
       />
-      <div className="bench-words">
-        <p className="bench-name wrap">
+      <div className="bench-words slim">
+        <p className="bench-name wrap flex">
           <strong>{name}</strong>
           {step.call === "" ? null : <code dir="ltr">{step.call}</code>}
           {going && value !== null ? (
-            <output className="bench-value" data-testid="bench-value">
+            <output className="to-end bold" data-testid="bench-value">
               {valueWords(step.reads, value)}
             </output>
           ) : null}
@@ -81,7 +81,7 @@ export function TryParts({ board }: { board: Board }) {
   if (known === undefined || bench === null) return null;
   return (
     <section className="bench" aria-label={t("boards.try")} data-testid="bench">
-      <p className="bench-first bold">{t("boards.try-wheels")}</p>
+      <p className="bold below">{t("boards.try-wheels")}</p>
       <ol>
         {known.steps.map((step, at) => (
           <Step

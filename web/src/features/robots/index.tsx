@@ -41,7 +41,7 @@ function RunOnRobots() {
       <span className="tool-line rigid" data-fold={5} />
       <button
         type="button"
-        className="tool tool-named rigid"
+        className="tool tool-named rigid nowrap medium gap-m relative"
         data-testid="run-on-robot"
         data-fold={5}
         aria-label={t("boards.run")}

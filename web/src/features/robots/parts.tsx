@@ -50,9 +50,9 @@ export function Sending({
 /** What went wrong, in the server's words; with what can be done about it. */
 export function TroubleBox({ said, testId, children }: { said: Failure; testId: string; children?: ReactNode }) {
   return (
-    <div className="robot-trouble" role="alert" data-testid={testId}>
+    <div className="robot-trouble notice flex below items-start" role="alert" data-testid={testId}>
       <Icon name="triangle-alert" size={16} />
-      <p>
+      <p className="grow">
         <strong>
           <Said text={said.message} />
         </strong>{" "}
@@ -69,7 +69,12 @@ type Way = Exclude<Board["way"], "">;
 export function WayOut({ way, of, onPress }: { way: Board["way"]; of: string; onPress: (way: Way) => void }) {
   if (way === "") return null;
   return (
-    <button type="button" className="robot-link" data-testid={`${of}-${way}`} onClick={() => onPress(way)}>
+    <button
+      type="button"
+      className="robot-link start-text medium"
+      data-testid={`${of}-${way}`}
+      onClick={() => onPress(way)}
+    >
       {t(`boards.${way}`)}
     </button>
   );

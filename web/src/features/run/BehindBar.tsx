@@ -9,7 +9,7 @@ export function BehindBar() {
   const time = useRun((run) => clock(run.seconds));
   const watching = useRun((run) => run.watching);
   return (
-    <div className="banner banner-note row rigid" data-testid="behind-bar">
+    <div className="banner banner-note row rigid gap-xl" data-testid="behind-bar">
       <Icon name="radio" size={18} />
       <p>{t("robots.behind", { time })}</p>
       {watching ? null : (

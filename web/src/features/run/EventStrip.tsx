@@ -178,7 +178,7 @@ export function EventStrip() {
   const label = ticks ? t("strip.now", { time: clock(seconds), tick: grouped(tick) }) : clock(seconds);
   return (
     <div
-      className="strip"
+      className="strip grow focus-inside"
       ref={box}
       dir="ltr"
       data-testid="event-strip"

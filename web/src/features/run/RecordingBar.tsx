@@ -15,7 +15,12 @@ export function RecordingBar({ open }: { open: OpenRecording }) {
   const name = shownName(open.path);
   const what = playing ? (open.real ? "recording.real" : "recording.playing") : "recording.live";
   return (
-    <div className="banner banner-note row rigid" role="status" data-testid="recording-bar" data-playing={playing}>
+    <div
+      className="banner banner-note row rigid gap-xl"
+      role="status"
+      data-testid="recording-bar"
+      data-playing={playing}
+    >
       <Icon name="clapperboard" size={18} />
       <p>
         <strong>

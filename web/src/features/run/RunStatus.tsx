@@ -70,7 +70,7 @@ function Whole({ text }: { text: string }) {
         onClick={() => setOpen(!open)}
       />
       {open ? (
-        <span className="run-status-whole surface" tabIndex={-1} data-testid="status-whole">
+        <span className="run-status-whole surface breakable scroll" tabIndex={-1} data-testid="status-whole">
           <Said text={text} />
         </span>
       ) : null}
@@ -98,20 +98,14 @@ export function RunStatus() {
         ? t("debug.paused-at", { agent: hit.agent, visit: hit.visit })
         : t(key);
   return (
-    <div className="run-status row" data-testid="status" data-status={status} title={said}>
+    <div className="run-status row relative justify-end" data-testid="status" data-status={status} title={said}>
       <StateShape state={SHAPES[status]} />
-      <span className="run-status-words" role="status" ref={words}>
+      <span className="run-status-words breakable" role="status" ref={words}>
         <Said text={said} />
       </span>
       {cut ? <Whole text={said} /> : null}
       {edited ? (
-        <span
-          className="run-status-edited"
-          role="img"
-          aria-label={t("run.edited-since")}
-          title={t("run.edited-since")}
-          data-testid="edited-since"
-        >
+        <span role="img" aria-label={t("run.edited-since")} title={t("run.edited-since")} data-testid="edited-since">
           <Icon name="pencil" size={14} />
         </span>
       ) : null}

@@ -50,14 +50,14 @@ export function RunTools() {
     <>
       <button
         type="button"
-        className="run-button bold rigid"
+        className="run-button bold rigid inline-row ink justify-centre"
         data-testid="run-button"
         disabled={(live && !paused) || choosing}
         title={`${paused ? t("run.resume") : t("run.run")} (${keyFor.page(KEYS.run)})`}
         onClick={run}
       >
         <span className="run-face" data-other={t(paused ? "run.run" : "run.resume")}>
-          <span className="run-words">
+          <span className="inline-row">
             <Icon name="play" size={16} />
             {t(paused ? "run.resume" : "run.run")}
           </span>

@@ -68,7 +68,7 @@ export function RunningRow({ threads, names, chosen }: { threads: Thread[]; name
       )}
       {names.length < 2 ? null : (
         <Select
-          className="watched small-text"
+          className="watched small-text typed"
           label={t("tabs.watch")}
           testId="watched-agent"
           title={chosen}

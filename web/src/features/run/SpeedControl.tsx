@@ -16,7 +16,7 @@ export function SpeedControl() {
   const watching = useRun((run) => run.watching);
   const position = positionOf(speed);
   return (
-    <div className="speed muted rigid" data-fold={6} title={t("run.speed")}>
+    <div className="speed muted rigid inline-row" data-fold={6} title={t("run.speed")}>
       <Icon name="gauge" size={16} />
       <input
         className="slider"
@@ -26,7 +26,7 @@ export function SpeedControl() {
         step={1}
         value={position}
         disabled={watching}
-        style={{ "--share": `${String((position / MAX_POSITION) * 100)}%` } as React.CSSProperties}
+        style={{ "--share": position / MAX_POSITION } as React.CSSProperties}
         aria-label={t("run.speed")}
         aria-valuetext={speed === 0 ? t("run.as-fast") : speedWords(speed)}
         data-testid="speed"

@@ -9,7 +9,12 @@ export function WatchingBar({ run }: { run: string }) {
   const watching = useRun((state) => state.watching);
   const another = useRun((state) => state.another);
   return (
-    <div className="banner banner-note row rigid" role="status" data-testid="watching-bar" data-watching={watching}>
+    <div
+      className="banner banner-note row rigid gap-xl"
+      role="status"
+      data-testid="watching-bar"
+      data-watching={watching}
+    >
       <Icon name="eye" size={18} />
       <p>
         <strong>{t(watching ? "watching.on" : "watching.offer")}</strong>{" "}

@@ -45,7 +45,7 @@ const Row = memo(function Row({ agent, at, moments, fields, current, played }: R
         return (
           <td
             key={moment}
-            className="sweep-field"
+            className="sweep-field justify-centre"
             data-ending={ending}
             data-cell={cellName({ row: at, column: moment })}
             data-testid={`field-${String(at)}-${String(moment)}`}
@@ -76,32 +76,32 @@ export function SweepMap({ swept }: { swept: Swept }) {
   const field = rows[at.agent]?.[at.moment] ?? null;
 
   return (
-    <div className="sweep-found column">
-      <p className="sweep-note muted">
+    <div className="column slim gap-m">
+      <p className="prose muted">
         {t("sweep.baseline")} <Said text={map.sentence} />
       </p>
-      {changed ? <p className="sweep-note sweep-warning muted">{t("sweep.changed")}</p> : null}
-      {held ? <p className="sweep-note sweep-warning muted">{t("sweep.real")}</p> : null}
+      {changed ? <p className="sweep-warning prose warning">{t("sweep.changed")}</p> : null}
+      {held ? <p className="sweep-warning prose warning">{t("sweep.real")}</p> : null}
       {counts.none > 0 ? (
-        <p className="sweep-note sweep-warning muted">
+        <p className="sweep-warning prose warning">
           {t("sweep.cut", { done: grouped(map.fields.length), total: grouped(map.total) })}
         </p>
       ) : null}
-      <ul className="sweep-legend plain-list wrap" data-testid="sweep-legend">
+      <ul className="sweep-legend wrap flex gap-2xl" data-testid="sweep-legend">
         {ENDINGS.filter((ending) => ending === "done" || counts[ending] > 0).map((ending) => (
           <li key={ending} data-testid={`sweep-count-${ending}`}>
-            <span className="sweep-field" data-ending={ending} aria-hidden="true">
+            <span className="sweep-field justify-centre" data-ending={ending} aria-hidden="true">
               {SIGNS[ending]}
             </span>
             {t(`sweep.${ending}`)} <strong>{grouped(counts[ending])}</strong>
           </li>
         ))}
-        {counts.done === map.total ? <li className="sweep-all bold">{t("sweep.all-done")}</li> : null}
+        {counts.done === map.total ? <li className="bold">{t("sweep.all-done")}</li> : null}
       </ul>
-      <p className="sweep-note muted" id="sweep-how">
+      <p className="prose muted" id="sweep-how">
         {t(handKey("sweep.how"))}
       </p>
-      <div className="sweep-scroll">
+      <div className="scroll-x">
         <table
           className="sweep-map small-text"
           role="grid"
@@ -112,12 +112,14 @@ export function SweepMap({ swept }: { swept: Swept }) {
         >
           <thead>
             <tr>
-              <th scope="col">
+              <th className="nowrap" scope="col">
                 <span className="only-spoken">{t("sweep.robot")}</span>
               </th>
               {map.moments.map((moment, index) => (
-                <th key={moment} scope="col">
-                  <span className={index % EACH === 0 ? "sweep-moment" : "only-spoken"}>{axisTime(moment)}</span>
+                <th className="nowrap" key={moment} scope="col">
+                  <span className={index % EACH === 0 ? "sweep-moment figures" : "only-spoken"}>
+                    {axisTime(moment)}
+                  </span>
                 </th>
               ))}
             </tr>

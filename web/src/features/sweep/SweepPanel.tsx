@@ -23,7 +23,7 @@ export function SweepPanel() {
   const refused = useSweep((sweep) => sweep.refused);
   return (
     <DockPanel id="sweep-panel" testId="sweep" title={t("sweep.title")} close={t("sweep.close")}>
-      <div className="sweep-body column">
+      <div className="dock-body column gap-m">
         <Asking />
         <Refused refused={refused} />
         {swept === null ? null : <SweepMap swept={swept} />}
@@ -41,12 +41,12 @@ function Asking() {
   const [typed, setTyped] = useState(() => String(swept?.asked.seconds ?? 600));
   const seconds = readNumber(typed) ?? 0;
   const wrong = !(seconds > 0 && seconds <= LONGEST_S);
-  if (agents === 0 && swept === null) return <p className="sweep-note muted">{t("sweep.nobody")}</p>;
+  if (agents === 0 && swept === null) return <p className="prose muted">{t("sweep.nobody")}</p>;
   if (busy !== null) return <Progress {...busy} />;
   return (
     <>
       {swept === null ? (
-        <p className="sweep-note muted">
+        <p className="prose muted">
           {t("sweep.what")} <Said text={t("sweep.pairs", { command: `\`${PAIRS}\`` })} />
         </p>
       ) : null}
@@ -83,7 +83,7 @@ function Asking() {
           {t("sweep.begin", { count: agents * (readWhole(moments) ?? 0) })}
         </Button>
         {wrong ? (
-          <p className="sweep-wrong" id="sweep-seconds-wrong" role="alert">
+          <p className="sweep-wrong warning" id="sweep-seconds-wrong" role="alert">
             {t("sweep.seconds-wrong", { most: grouped(LONGEST_S) })}
           </p>
         ) : null}
@@ -97,7 +97,7 @@ function Progress({ done, total }: { done: number; total: number }) {
   return (
     <div className="sweep-asking row wrap" data-testid="sweep-progress">
       <progress aria-label={t("sweep.title")} max={Math.max(total, 1)} {...(total === 0 ? {} : { value: done })} />
-      <span className="sweep-count">{said}</span>
+      <span className="figures">{said}</span>
       <Button icon="square" testId="sweep-break-off" onClick={breakOff}>
         {t("sweep.break-off")}
       </Button>

@@ -91,7 +91,7 @@ function Row({ agent, at, onKey, focus }: RowProps) {
   }
   return (
     <li
-      className="team-row team-agent"
+      className="team-row team-agent gap-m"
       data-testid={`agent-${String(at)}`}
       data-name={name}
       onKeyDown={(event) => onKey(event, at)}
@@ -103,7 +103,7 @@ function Row({ agent, at, onKey, focus }: RowProps) {
         wrong={wrongName}
         keep={(wanted) => execute(renameAgent(now(), at, wanted, useStudio.getState().catalogue))}
       />
-      <span className="team-runs column">
+      <span className="column gap-xs">
         <Select
           label={`${t("team.program")}: ${name}`}
           testId={`agent-program-${String(at)}`}
@@ -134,7 +134,7 @@ function Row({ agent, at, onKey, focus }: RowProps) {
         wrong={lost}
         keep={(wanted) => execute(giveStart(now(), at, wanted))}
       />
-      <span className="team-tools row">
+      <span className="team-tools aligned">
         {tools.map(([what, icon, label, disabled, act]) => (
           <Tool
             key={what}
@@ -192,7 +192,7 @@ export function Agents() {
         <p className="team-note muted">{t("team.agents-none")}</p>
       ) : (
         <>
-          <div className="team-row team-agent team-heads muted small-text" aria-hidden="true">
+          <div className="team-row team-agent team-heads muted small-text gap-m" aria-hidden="true">
             <span>{t("team.agent")}</span>
             <span>{t("team.program")}</span>
             <span>{t("team.start")}</span>
@@ -205,7 +205,7 @@ export function Agents() {
         </>
       )}
       {lost > 0 ? (
-        <p className="team-note team-hint muted row wrap" role="status">
+        <p className="team-note row wrap" role="status">
           <Icon name="triangle-alert" size={16} /> {t("team.place-help", { count: lost })}{" "}
           {place === null ? null : (
             <Button testId="place-agents" onClick={() => execute(place)}>

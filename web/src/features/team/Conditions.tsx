@@ -58,7 +58,7 @@ export function Conditions() {
         {t(radio === null ? "team.radio-off" : "team.radio-help")}
       </p>
       {radio === null ? null : (
-        <div className="team-amounts wrap">
+        <div className="team-amounts wrap flex">
           <Amount
             label={t("team.radio-range")}
             unit="mm"
@@ -91,7 +91,7 @@ export function Conditions() {
           />
         </div>
       )}
-      <div className="team-amounts wrap">
+      <div className="team-amounts wrap flex">
         <Row label={t("team.breakdown")} className="team-amount">
           <Select
             label={t("team.breakdown")}

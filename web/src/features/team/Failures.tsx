@@ -27,7 +27,7 @@ function Row({ item: failure, at, removed }: RowProps<ScheduledFailure>) {
   };
   const time = String(failure.at_s);
   return (
-    <li className="team-row team-failure" data-testid={`failure-${String(at)}`}>
+    <li className="team-row team-failure gap-m" data-testid={`failure-${String(at)}`}>
       <Select
         label={t("team.failure-who")}
         testId={`failure-agent-${String(at)}`}
@@ -86,7 +86,7 @@ export function Failures() {
         items={failures}
         Row={Row}
         heads={
-          <div className="team-row team-heads team-failure-heads muted small-text" aria-hidden="true">
+          <div className="team-row team-heads team-failure-heads muted small-text gap-m" aria-hidden="true">
             <span>{t("team.failure-who")}</span>
             <span>{t("team.failure-what")}</span>
             <span>{t("team.failure-when")}</span>

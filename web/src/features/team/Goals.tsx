@@ -20,7 +20,7 @@ function Row({ item: goal, at, removed }: RowProps<Goal>) {
   const { storehouse, stock } = goal;
   const all = stock === ALL;
   return (
-    <li className="team-row team-goal" data-testid={`goal-${String(at)}`}>
+    <li className="team-row team-goal gap-m" data-testid={`goal-${String(at)}`}>
       <Select
         label={t("team.storehouse")}
         testId={`goal-house-${String(at)}`}

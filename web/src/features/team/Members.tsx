@@ -23,7 +23,7 @@ function Moment({ tick }: { tick: number }) {
   return (
     <button
       type="button"
-      className="members-moment finger"
+      className="moment finger"
       disabled={!goes}
       title={t("members.go", { time })}
       onClick={() => useRun.getState().seek(tick)}
@@ -43,8 +43,8 @@ export function Members() {
   const waits = team.meetings.filter((one) => one.missing.length > 0);
   return (
     <DockPanel id={MEMBERS} testId="members" title={t("members.title")} close={t("members.close")}>
-      <div className="members-columns wrap">
-        <table className="members-table" data-testid="members-table">
+      <div className="members-columns dock-body wrap flex items-start">
+        <table className="members-table panel-title" data-testid="members-table">
           <thead>
             <tr>
               <th scope="col">{t("members.who")}</th>
@@ -60,7 +60,7 @@ export function Members() {
               const state = agents.find((one) => one.name === name)?.state ?? "idle";
               return (
                 <tr key={name} data-testid={`member-row-${name}`}>
-                  <th scope="row">
+                  <th scope="row" className="bold">
                     <StateShape state={state} /> <bdi>{name}</bdi>
                   </th>
                   <td>
@@ -84,7 +84,7 @@ export function Members() {
         </table>
         <div>
           {waits.map((meeting) => (
-            <p key={meeting.point} className="members-wait bold">
+            <p key={meeting.point} className="members-wait bold below">
               {meetingSaid(meeting)}
             </p>
           ))}
@@ -92,7 +92,7 @@ export function Members() {
             <p className="muted">{t("members.unchanged")}</p>
           ) : (
             <ol
-              className="members-changes plain-list column"
+              className="members-changes column gap-xs"
               aria-label={t("members.changes")}
               data-testid="members-changes"
             >

@@ -58,7 +58,7 @@ export function RowList<Item>({ items, Row, heads, add }: RowListProps<Item>) {
 /** The end of a row. */
 export function RemoveTool({ testId, label, onClick }: { testId: string; label: string; onClick: () => void }) {
   return (
-    <span className="team-tools row">
+    <span className="team-tools aligned">
       <Tool small icon="trash-2" label={label} testId={testId} data-what="remove" onClick={onClick} />
     </span>
   );

@@ -35,8 +35,15 @@ export default function Team() {
     found?.focus();
   }, [wanted]);
   return (
-    <div className="team" id="team-panel" role="tabpanel" aria-label={t("team.tab")} data-testid="team" ref={root}>
-      <div className="team-body column">
+    <div
+      className="team cover scroll"
+      id="team-panel"
+      role="tabpanel"
+      aria-label={t("team.tab")}
+      data-testid="team"
+      ref={root}
+    >
+      <div className="team-body column gap-2xl">
         <Agents />
         <FirstTeam />
         <Goals />
@@ -58,7 +65,7 @@ function FirstTeam() {
     <section className="team-part surface" aria-labelledby="first-team" data-testid="first-team">
       <h2 id="first-team">{t("first-team.title")}</h2>
       <p className="team-note muted">{t("first-team.what")}</p>
-      <p className="team-hint row wrap">
+      <p className="row wrap">
         <Button icon="users" testId="start-team" onClick={() => void startTeam()}>
           {" "}
           {t("first-team.start")}

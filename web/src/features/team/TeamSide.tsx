@@ -30,7 +30,7 @@ export function TeamSide({ children }: { children: ReactNode }) {
         show={showSide}
         controls="side-panel"
         className="team-side"
-        tabClass="finger"
+        tabClass="finger row gap-s small-text medium muted"
       >
         {(one) => (
           <>

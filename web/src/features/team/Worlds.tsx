@@ -40,15 +40,15 @@ function Card({ entry, chosen }: { entry: WorldEntry; chosen: boolean }) {
   const size = (mm: number) => decimal(mm / 1000);
   const starts = t("team.starts", { count: world?.starts.length ?? 0 });
   return (
-    <label className="team-world column" data-testid={`world-${stemOf(href)}`} title={text(help)}>
-      <span className="team-world-picture muted">
+    <label className="team-world card surface column" data-testid={`world-${stemOf(href)}`} title={text(help)}>
+      <span className="team-world-picture card-picture muted centred">
         {world === null ? (
           <Icon name="map" size={24} />
         ) : (
           <WorldPicture world={world} agents={world.starts.map((start) => start.name)} />
         )}
       </span>
-      <span className="team-world-name row">
+      <span className="card-title row">
         <input
           type="radio"
           name="team-world"
@@ -96,11 +96,11 @@ export function Worlds() {
         </Button>
       </p>
       {missing ? (
-        <p className="team-note team-hint muted row wrap" role="status">
+        <p className="team-note team-hint row wrap" role="status">
           <Icon name="triangle-alert" size={16} /> {t("team.world-missing", { name: chosen })}
         </p>
       ) : null}
-      <div className="team-worlds" role="radiogroup" aria-labelledby="team-world">
+      <div className="gap-2xl card-grid" role="radiogroup" aria-labelledby="team-world">
         {worlds.map((entry) => (
           <Card key={entry.href} entry={entry} chosen={own === null && sameWorld(entry.href, chosen)} />
         ))}

@@ -38,7 +38,7 @@ interface StepProps {
 function Steps({ tutorial, done, page }: StepProps) {
   const { at, skipped } = useTutorial((state) => state.progress);
   return (
-    <ol className="tutorial-steps plain-list wrap" aria-label={t("tutorial.steps")}>
+    <ol className="wrap flex gap-xs" aria-label={t("tutorial.steps")}>
       {done.map((is, step) => {
         const state = is ? "done" : skipped.includes(step) ? "skipped" : "open";
         const words = { number: step + 1, name: nameOf(tutorial, step, page) };
@@ -50,7 +50,7 @@ function Steps({ tutorial, done, page }: StepProps) {
           <li key={step}>
             <button
               type="button"
-              className="tutorial-dot muted"
+              className="tutorial-dot muted centred tiny-text"
               data-state={state}
               data-testid={`tutorial-step-${String(step + 1)}`}
               aria-label={label}
@@ -89,16 +89,16 @@ function StepView({ tutorial, done, page }: StepProps) {
   return (
     <>
       {is ? null : <Ring selector={points.map((point) => selectorOf(point, page)).join(", ")} shown={hinted} />}
-      <div className="tutorial-words">
+      <div className="tutorial-words slim">
         <h3>{told(step.label, page)}</h3>
         <p>{told(step.help, page)}</p>
         {is ? (
-          <p className="tutorial-is-done">
+          <p className="tutorial-is-done items-start">
             <Icon name="circle-check" size={16} /> {t("tutorial.is-done")}
           </p>
         ) : null}
         {hinted && hint !== "" ? (
-          <p className="tutorial-hint" role="status" data-testid="tutorial-hint">
+          <p className="tutorial-hint items-start" role="status" data-testid="tutorial-hint">
             <Icon name="lightbulb" size={16} />
             <span>
               <strong>{t("tutorial.hint")}</strong> {hint}
@@ -106,7 +106,7 @@ function StepView({ tutorial, done, page }: StepProps) {
           </p>
         ) : null}
         {hinted ? (
-          <ul className="tutorial-points wrap">
+          <ul className="tutorial-points wrap flex gap-m">
             {points.map((point) => (
               <li key={`${point.kind} ${point.name}`}>
                 <Button
@@ -124,7 +124,7 @@ function StepView({ tutorial, done, page }: StepProps) {
           </ul>
         ) : null}
       </div>
-      <div className="tutorial-ways rigid">
+      <div className="rigid flex to-end gap-m">
         {is || hinted || (hint === "" && points.length === 0) ? null : (
           <Button
             icon="lightbulb"
@@ -154,11 +154,11 @@ function End({ tutorial, done, page }: StepProps) {
   const open = done.findIndex((is) => !is);
   return (
     <>
-      <div className="tutorial-words" data-testid="tutorial-end">
+      <div className="tutorial-words slim" data-testid="tutorial-end">
         <h3>{whole ? t("tutorial.finished", { name: text(tutorial.label) }) : t("tutorial.left-over")}</h3>
         <p>{whole ? t("tutorial.finished-help") : t("tutorial.open-again", { number: open + 1 })}</p>
       </div>
-      <div className="tutorial-ways rigid">
+      <div className="rigid flex to-end gap-m">
         <NextLesson testId="tutorial-next-one" takesFocus />
         {whole ? (
           <Button onClick={() => beginAnew(tutorial)} testId="tutorial-again">
@@ -203,13 +203,13 @@ export function TutorialPanel() {
   return (
     <section
       ref={section}
-      className="tutorial"
+      className="tutorial lesson rigid focus-inside"
       tabIndex={-1}
       data-testid="tutorial"
       data-step={progress.at + 1}
       aria-label={t("tutorial.of", { name: text(tutorial.label) })}
     >
-      <header className="tutorial-head row wrap">
+      <header className="tutorial-head lesson-head row wrap">
         <Icon name={tutorial.icon} size={18} />
         <h2 className="panel-title">{text(tutorial.label)}</h2>
         <Steps tutorial={tutorial} done={done} page={page} />
@@ -219,7 +219,7 @@ export function TutorialPanel() {
         {progress.at < done.length && undone >= 0 ? (
           <button
             type="button"
-            className="tutorial-undone small-text"
+            className="tutorial-undone small-text inline-row medium gap-xs"
             data-testid="tutorial-undone"
             onClick={() => goTo(undone)}
           >
@@ -230,13 +230,13 @@ export function TutorialPanel() {
         <Tool
           small
           icon="x"
-          className="tutorial-leave"
+          className="tutorial-leave to-end"
           label={t("tutorial.leave")}
           testId="tutorial-leave"
           onClick={leave}
         />
       </header>
-      <div className="tutorial-body wrap">
+      <div className="tutorial-body wrap flex">
         {progress.at < done.length ? (
           <StepView tutorial={tutorial} done={done} page={page} />
         ) : (

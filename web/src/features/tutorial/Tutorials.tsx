@@ -39,7 +39,11 @@ export function Welcome() {
   if (!ready || welcomed || learns || first === undefined) return null;
   if (path !== "" && !path.startsWith("example:")) return null;
   return (
-    <section className="welcome" aria-label={t("tutorial.welcome")} data-testid="welcome">
+    <section
+      className="welcome banner banner-note row rigid gap-xl"
+      aria-label={t("tutorial.welcome")}
+      data-testid="welcome"
+    >
       <Icon name="graduation-cap" size={18} />
       <p>
         <strong>{t("tutorial.welcome")}</strong> <span className="welcome-help">{t("tutorial.welcome-help")}</span>

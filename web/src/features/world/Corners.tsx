@@ -31,8 +31,8 @@ export function Corners<P extends Part<"line"> | Part<"floor"> | Part<"road">>({
     <fieldset className="world-corners">
       <legend>{t("world.corners")}</legend>
       {points.map((point, at) => (
-        <div className="world-corner" key={at}>
-          <span className="world-corner-number muted">{at + 1}</span>
+        <div className="world-corner gap-xs" key={at}>
+          <span className="world-corner-number muted tiny-text">{at + 1}</span>
           {(["x", "y", "radius"] as const).map((name) => (
             <NumberField
               key={name}

@@ -25,7 +25,7 @@ function WorldItself({ world }: { world: OwnWorld }) {
       ),
     );
   return (
-    <section className="world-chosen column" aria-labelledby="world-itself">
+    <section className="world-chosen column gap-m" aria-labelledby="world-itself">
       <h2 id="world-itself">{t("world.tab")}</h2>
       <NameCell
         name={world.name}
@@ -34,7 +34,7 @@ function WorldItself({ world }: { world: OwnWorld }) {
         wrong={(name) => (name === "" ? t("world.name-empty") : "")}
         keep={(name) => keep({ name })}
       />
-      <div className="world-fields">
+      <div className="world-fields gap-m">
         {(["width_mm", "height_mm"] as const).map((name) => (
           <NumberField
             key={name}
@@ -66,8 +66,8 @@ export function Fields({ world }: { world: OwnWorld }) {
   });
   const several = chosen.length > 1;
   return (
-    <section className="world-chosen column" aria-labelledby="world-chosen" data-testid="world-chosen">
-      <header className="world-chosen-head row">
+    <section className="world-chosen column gap-m" aria-labelledby="world-chosen" data-testid="world-chosen">
+      <header className="world-chosen-head row gap-xs">
         <h2 id="world-chosen">{several ? t("world.things", { count: chosen.length }) : kindName(thing.kind)}</h2>
         <Tool small icon="copy" label={t("world.duplicate")} testId="world-duplicate" onClick={duplicateChosen} />
         <Tool small icon="trash-2" label={t("world.delete")} testId="world-delete" onClick={removeChosen} />
@@ -79,7 +79,7 @@ export function Fields({ world }: { world: OwnWorld }) {
           {problems.map((problem, index) => (
             <p key={index} className="world-problem small-text" role="alert">
               <Icon name="circle-x" size={16} /> {sentence(problem.message)}{" "}
-              {problem.help === "" ? null : <small>{sentence(problem.help)}</small>}
+              {problem.help === "" ? null : <small className="block">{sentence(problem.help)}</small>}
             </p>
           ))}
           {isNamed(thing.kind) && part !== undefined && "name" in part ? (

@@ -11,7 +11,7 @@ export function Keep({ templates }: { templates: ReactNode }) {
   const [why, setWhy] = useState("");
   if (name === null) {
     return (
-      <div className="world-keep column">
+      <div className="world-keep column gap-m">
         <Button testId="save-world" onClick={() => setName(ownWorld()?.name ?? "")}>
           {t("world.save-file")}
         </Button>
@@ -21,7 +21,7 @@ export function Keep({ templates }: { templates: ReactNode }) {
   }
   return (
     <form
-      className="world-keep column"
+      className="world-keep column gap-m"
       onSubmit={(event) => {
         event.preventDefault();
         void saveWorldFile(name).then((wrong) => {
@@ -30,10 +30,10 @@ export function Keep({ templates }: { templates: ReactNode }) {
         });
       }}
     >
-      <label className="field-label muted small-text rigid" htmlFor="world-file">
+      <label className="field-title muted small-text rigid" htmlFor="world-file">
         {t("world.file-name")}
       </label>
-      <span className="world-file row">
+      <span className="world-file row wide gap-xs">
         <input
           id="world-file"
           className="field"

@@ -35,7 +35,7 @@ export function BallFields(props: PartProps<Part<"ball">>) {
 function Pushable<P extends Part<"box"> | Part<"ball">>({ part, keep }: PartProps<P>) {
   return (
     <>
-      <div className="world-fields">
+      <div className="world-fields gap-m">
         <NumberField
           label={t("world.mass")}
           unit="g"
@@ -75,7 +75,7 @@ export function ZoneFields(props: PartProps<Part<"zone">>) {
   const round = part.radius_mm > 0;
   return (
     <>
-      <div className="world-fields">
+      <div className="world-fields gap-m">
         <Choice
           label={t("world.zone-kind")}
           testId="world-zone-kind"

@@ -19,9 +19,9 @@ interface NumberFieldProps {
 export function NumberField({ label, unit = "mm", step = 10, ...number }: NumberFieldProps) {
   const id = useId();
   return (
-    <span className="world-field column small-text">
+    <span className="world-field column small-text slim gap-2xs">
       <label htmlFor={id}>{label}</label>
-      <span className="world-number row">
+      <span className="world-number row gap-xs">
         <NumberInput id={id} step={step} {...number} />
         {unit === "" ? null : <small dir="ltr">{unit}</small>}
       </span>

@@ -40,7 +40,7 @@ function Outline({ world, camera, thing }: { world: OwnWorld; camera: Camera; th
         [wall.x1, wall.y1],
         [wall.x2, wall.y2],
       ];
-      return <path className="world-outline" d={pathOf(camera, points, false)} />;
+      return <path className="drawn" d={pathOf(camera, points, false)} />;
     }
     case "floor":
     case "line":
@@ -53,7 +53,7 @@ function Outline({ world, camera, thing }: { world: OwnWorld; camera: Camera; th
       return (
         <>
           <path className="world-corners-line" d={pathOf(camera, corners, closed)} />
-          <path className="world-outline" d={pathOf(camera, drawn, closed)} />
+          <path className="drawn" d={pathOf(camera, drawn, closed)} />
         </>
       );
     }
@@ -62,7 +62,7 @@ function Outline({ world, camera, thing }: { world: OwnWorld; camera: Camera; th
       if (house === undefined) return null;
       const [x, y] = toScreen(camera, house.x_mm, house.y_mm + house.height_mm);
       const [width, height] = [house.width_mm * camera.scale, house.height_mm * camera.scale];
-      return <rect className="world-outline" x={x} y={y} width={width} height={height} rx="6" />;
+      return <rect className="drawn" x={x} y={y} width={width} height={height} rx="6" />;
     }
     case "box":
     case "ball":
@@ -71,16 +71,16 @@ function Outline({ world, camera, thing }: { world: OwnWorld; camera: Camera; th
       if (shape === null) return null;
       const [x, y] = toScreen(camera, shape.x, shape.y);
       const { scale } = camera;
-      if (shape.radius > 0) return <circle className="world-outline" cx={x} cy={y} r={shape.radius * scale} />;
+      if (shape.radius > 0) return <circle className="drawn" cx={x} cy={y} r={shape.radius * scale} />;
       const [width, height] = [shape.width * scale, shape.height * scale];
-      return <rect className="world-outline" x={x - width / 2} y={y - height / 2} width={width} height={height} />;
+      return <rect className="drawn" x={x - width / 2} y={y - height / 2} width={width} height={height} />;
     }
     case "dock":
     case "start": {
       const place = anchorOf(world, thing);
       if (place === null) return null;
       const [cx, cy] = toScreen(camera, place.x, place.y);
-      return <circle className="world-outline" cx={cx} cy={cy} r={Math.max(16, 75 * camera.scale)} />;
+      return <circle className="drawn" cx={cx} cy={cy} r={Math.max(16, 75 * camera.scale)} />;
     }
   }
 }
@@ -137,7 +137,7 @@ export function Overlay({ world, camera, chosen, mission }: OverlayProps) {
   const grips = first === undefined || chosen.length > 1 ? [] : gripsOf(world, first);
   const anchor = first?.kind === "start" ? anchorOf(world, first) : null;
   return (
-    <svg className="world-overlay" aria-hidden="true">
+    <svg className="world-overlay passive" aria-hidden="true">
       <rect
         className="world-border"
         x={left}

@@ -22,7 +22,7 @@ function DockFields(props: PartProps<Part<"dock">>) {
   return (
     <>
       <Numbers {...props} names={["at_mm", "reach_mm"]} />
-      <div className="world-fields">
+      <div className="world-fields gap-m">
         <Choice
           label={t("world.kind-road")}
           testId="world-road"
@@ -89,7 +89,7 @@ function StartFields(props: PartProps<Part<"start">>) {
   const options = places.flatMap(([value, words, there]): [string, string][] => (there ? [[value, words]] : []));
   return (
     <>
-      <div className="world-fields">
+      <div className="world-fields gap-m">
         <Choice
           label={t("world.where")}
           testId="world-where"
@@ -147,7 +147,7 @@ function HouseFields(props: PartProps<Part<"storehouse">>) {
     <>
       <Numbers {...props} names={["x_mm", "y_mm"]} least={-LARGEST_MM} />
       <Numbers {...props} names={["width_mm", "height_mm"]} least={1} />
-      <div className="world-fields">
+      <div className="world-fields gap-m">
         <Count
           label={t("world.capacity")}
           value={part.capacity}

@@ -253,7 +253,7 @@ export function Stage() {
   const counts = now === null ? "" : [...new Set(thingsOf(now).map((thing) => nameOf(now, thing)))].join(", ");
   return (
     <div
-      className="world-stage"
+      className="world-stage fill focus-inside relative"
       role="application"
       dir="ltr"
       tabIndex={0}
@@ -276,7 +276,7 @@ export function Stage() {
         <Overlay world={now} camera={camera} chosen={chosenIn(now, chosen)} mission={mission} />
       )}
       {tool === null ? null : (
-        <p className="world-tip row small-text" aria-hidden="true">
+        <p className="world-tip row small-text gap-s boxed passive" aria-hidden="true">
           <Icon name={KIND_ICONS[tool]} size={14} /> {t(handKey("world.draw"), { kind: kindName(tool) })}
         </p>
       )}

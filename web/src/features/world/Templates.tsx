@@ -21,16 +21,17 @@ export function Templates({ done }: { done: () => void }) {
   useEffect(() => awaitAnswer(partsApi.templates(seed), setTemplates, reportError), [seed]);
   return (
     <section className="world-templates" aria-labelledby="world-templates" data-testid="world-templates">
-      <header className="world-chosen-head row">
+      <header className="world-chosen-head row gap-xs">
         <h2 id="world-templates">{t("world.templates")}</h2>
         <Tool small icon="x" label={t("world.templates-close")} testId="world-templates-close" onClick={done} />
       </header>
       <p className="muted small-text">{t("world.templates-help")}</p>
-      <ul className="plain-list">
+      <ul>
         {templates.map(({ name, world }) => (
           <li key={name}>
             <button
               type="button"
+              className="card framed column small-text hover gap-xs"
               data-testid={`template-${name}`}
               title={text(world.help, "")}
               onClick={() => {

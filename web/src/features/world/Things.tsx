@@ -52,19 +52,12 @@ export function Things({ world }: { world: OwnWorld }) {
   };
   if (things.length === 0) return <p className="world-empty">{t("world.nothing")}</p>;
   return (
-    <section className="world-things" aria-labelledby="world-things">
+    <section aria-labelledby="world-things">
       <h2 id="world-things">{t("world.things-title")}</h2>
-      <ul
-        className="plain-list"
-        role="tree"
-        aria-labelledby="world-things"
-        aria-multiselectable="true"
-        ref={tree}
-        onKeyDown={onKeyDown}
-      >
+      <ul role="tree" aria-labelledby="world-things" aria-multiselectable="true" ref={tree} onKeyDown={onKeyDown}>
         {groups.map(({ kind, count }) => (
           <li key={kind} role="none">
-            <span className="world-kind row muted" aria-hidden="true">
+            <span className="world-kind row muted tiny-text gap-s" aria-hidden="true">
               <Icon name={KIND_ICONS[kind]} size={14} /> {kindName(kind)}
             </span>
             <ul role="group" aria-label={kindName(kind)}>
@@ -79,7 +72,7 @@ export function Things({ world }: { world: OwnWorld }) {
                   <li
                     key={at}
                     role="treeitem"
-                    className="world-row finger row"
+                    className="world-row finger row between gap-s"
                     data-thing={`${kind}:${String(at)}`}
                     data-testid={`thing-${kind}-${String(at)}`}
                     aria-selected={chosen.some((one) => sameThing(one, thing))}

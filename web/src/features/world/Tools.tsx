@@ -21,7 +21,7 @@ export function Tools() {
   const tool = useWorld((state) => state.tool);
   const take = (wanted: Kind | null) => takeTool(wanted);
   return (
-    <div className="world-tools row wrap rigid" role="toolbar" aria-label={t("world.tools")}>
+    <div className="world-tools row wrap rigid gap-xs" role="toolbar" aria-label={t("world.tools")}>
       <Tool
         icon="mouse-pointer-2"
         label={t("world.choose")}

@@ -26,7 +26,7 @@ function FromFile({ templates }: { templates: () => void }) {
   const world = useStudio((studio) => studio.world);
   const href = useStudio((studio) => studio.mission.world);
   return (
-    <section className="world-note" aria-labelledby="world-from-file">
+    <section aria-labelledby="world-from-file">
       <h2 id="world-from-file">{world?.name ?? t("world.tab")}</h2>
       <p>{href === "" ? t("world.of-empty") : t("world.of-file", { file: href })}</p>
       <p>{t("world.copy-help")}</p>
@@ -76,12 +76,12 @@ export default function World() {
     if (there.length !== chosen.length) choose(there);
   }, [own]);
   return (
-    <div className="world" id="world-panel" role="tabpanel" aria-label={t("world.tab")} data-testid="world">
-      <div className="world-place column">
+    <div className="world cover" id="world-panel" role="tabpanel" aria-label={t("world.tab")} data-testid="world">
+      <div className="column slim fill">
         <Tools />
         <Stage />
       </div>
-      <div className="world-side column">
+      <div className="world-side column scroll">
         {templates ? (
           <Templates done={() => setTemplates(false)} />
         ) : own === null ? (

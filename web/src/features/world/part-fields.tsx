@@ -37,7 +37,7 @@ export function Numbers<P extends Part<Thing["kind"]>>({
   const shown = names.filter((name) => places || !COORDINATES.includes(name));
   if (shown.length === 0) return null;
   return (
-    <div className="world-fields">
+    <div className="world-fields gap-m">
       {shown.map((name) => (
         <NumberField
           key={name}
@@ -56,7 +56,7 @@ export function Numbers<P extends Part<Thing["kind"]>>({
 /** A choice with its label before it. */
 export function Choice(props: ComponentProps<typeof Select>) {
   return (
-    <label className="world-field column small-text">
+    <label className="world-field column small-text slim gap-2xs">
       <span>{props.label}</span>
       <Select {...props} />
     </label>

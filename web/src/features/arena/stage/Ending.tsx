@@ -72,10 +72,16 @@ export function Ending({ painter }: { painter: Painter }) {
   const saves = own && hasDrawn();
   const Sign = SIGNS[tone];
   return (
-    <section className="stage-ending" data-tone={tone} data-testid="ending" aria-label={t("arena.result")} ref={card}>
+    <section
+      className="stage-ending surface"
+      data-tone={tone}
+      data-testid="ending"
+      aria-label={t("arena.result")}
+      ref={card}
+    >
       <Sign size={20} aria-hidden="true" />
-      <div className="stage-ending-words">
-        <p>
+      <div className="stage-ending-words slim breakable">
+        <p className="bold">
           <Said text={title} />
         </p>
         {[more.slice(0, 1), more.slice(1)].map((said, rest) =>
@@ -95,7 +101,7 @@ export function Ending({ painter }: { painter: Painter }) {
         </div>
       </div>
       {seeks || goesOn || saves ? (
-        <span className="stage-ending-ways wrap" data-next={goesOn}>
+        <span className="stage-ending-ways wrap flex gap-m" data-next={goesOn}>
           <NextLesson testId="ending-next" />
           {!seeks || cause === null || cause.tick >= tick ? null : (
             <Button

@@ -25,7 +25,7 @@ const ICONS: Readonly<Partial<Record<Shows, LucideIcon>>> = {
 export function Switches() {
   const on = useOn();
   return (
-    <span className="stage-switches" role="group" aria-label={t("arena.show")}>
+    <span className="flex gap-s card-title" role="group" aria-label={t("arena.show")}>
       {SHOWS.map(({ id, label }) => {
         const Picture = ICONS[id];
         if (Picture === undefined) return null;
@@ -33,7 +33,7 @@ export function Switches() {
           <button
             key={id}
             type="button"
-            className="stage-switch muted small-text"
+            className="stage-switch finger muted small-text inline-row nowrap gap-s hover justify-centre"
             data-testid={`show-${id}`}
             aria-pressed={on[id]}
             title={t(label)}
@@ -46,7 +46,7 @@ export function Switches() {
       })}
       <button
         type="button"
-        className="stage-switch stage-keep muted small-text"
+        className="stage-switch finger small-text inline-row nowrap gap-s hover justify-centre"
         data-testid="arena-keep"
         aria-haspopup="menu"
         title={t("arena.keep")}

@@ -52,7 +52,7 @@ export function Watched() {
   if (actor === undefined) return null;
   const robot = catalogue.robots.find(({ name }) => name === (agent?.robot ?? missionRobot));
   return (
-    <section className="stage-watched rigid" aria-label={t("arena.watched")} data-testid="stage-watched">
+    <section className="stage-watched rigid flex" aria-label={t("arena.watched")} data-testid="stage-watched">
       <Portrait actor={actor} />
       <div>
         <h2 className="panel-title">
@@ -65,7 +65,7 @@ export function Watched() {
 }
 
 function Readings({ robot, agent }: { robot: Robot | undefined; agent: RunAgent | undefined }) {
-  if (agent === undefined) return <p className="stage-watched-none muted small-text">{t("arena.no-readings")}</p>;
+  if (agent === undefined) return <p className="muted small-text">{t("arena.no-readings")}</p>;
   const sensors = (robot?.objects ?? []).filter(({ name, category }) => category === "sensor" && name in agent.inputs);
   const shown = indicatorsOf(robot, agent.shown);
   return (
@@ -118,5 +118,5 @@ function Portrait({ actor }: { actor: Actor }) {
     // The actor is made anew with each message of the run.
     // eslint-disable-next-line react-hooks/exhaustive-deps
   }, [name, theme, actor.figure, actor.lid]);
-  return <canvas ref={canvas} className="stage-portrait rigid" aria-hidden="true" />;
+  return <canvas ref={canvas} className="stage-portrait rigid boxed" aria-hidden="true" />;
 }

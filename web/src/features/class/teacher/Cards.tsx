@@ -13,7 +13,7 @@ export function Boxes({ goals, count }: { goals: Seen["pupil"]["goals"]; count: 
   return (
     <span className="class-boxes rigid" aria-hidden="true">
       {Array.from({ length: Math.min(count, 10) }, (_, at) => (
-        <span key={at} className="class-box" data-met={goals[at]?.reached === true}>
+        <span key={at} className="class-box centred" data-met={goals[at]?.reached === true}>
           {goals[at]?.reached === true ? <Icon name="check" size={10} /> : null}
         </span>
       ))}
@@ -38,7 +38,7 @@ const Card = memo(function Card({ seen, goals, now, chosen, tab }: CardProps) {
   return (
     <button
       type="button"
-      className="class-card surface column"
+      className="class-card card surface column slim"
       data-card={pupil.folder}
       data-testid={`card-${pupil.folder}`}
       data-state={pupil.state}
@@ -49,11 +49,13 @@ const Card = memo(function Card({ seen, goals, now, chosen, tab }: CardProps) {
       data-frozen={pupil.frozen}
       onClick={() => look(chosen ? "" : pupil.folder)}
     >
-      <span className="class-picture" aria-hidden="true">
+      <span className="class-picture card-picture fill" aria-hidden="true">
         {picture === null ? null : <GraphPicture program={picture} />}
       </span>
-      <span className="class-name row small-text rigid">
-        <strong dir="auto">{pupil.name}</strong>
+      <span className="class-name row small-text rigid slim gap-s">
+        <strong className="ellipsis" dir="auto">
+          {pupil.name}
+        </strong>
         {pupil.frozen ? (
           <>
             <Icon name="snowflake" size={14} />
@@ -62,14 +64,16 @@ const Card = memo(function Card({ seen, goals, now, chosen, tab }: CardProps) {
         ) : null}
         {asked === null || asked === 0 ? null : <small>{t("teacher.minutes", { count: asked })}</small>}
       </span>
-      <span className="class-state row small-text rigid muted">
+      <span className="class-state row small-text rigid muted slim gap-s">
         <Icon name={icon} size={14} />
-        <span>{words}</span>
+        <span className="ellipsis">{words}</span>
       </span>
-      <span className="class-goals row small-text rigid">
+      <span className="class-goals row small-text rigid between slim gap-s">
         <Boxes goals={pupil.goals} count={goals} />
         {goals === 0 ? (
-          <small dir="auto">{pupil.file}</small>
+          <small className="ellipsis" dir="auto">
+            {pupil.file}
+          </small>
         ) : (
           <>
             <small dir="ltr" aria-hidden="true">{`${String(met(pupil))}/${String(goals)}`}</small>
@@ -99,9 +103,9 @@ export function Cards({ folders, now }: { folders: readonly string[]; now: numbe
     cards[to]?.focus();
   };
 
-  if (folders.length === 0) return <p className="class-nobody muted">{t("teacher.nobody")}</p>;
+  if (folders.length === 0) return <p className="class-nobody muted text-centre">{t("teacher.nobody")}</p>;
   return (
-    <div className="class-cards" role="group" aria-label={t("teacher.cards")} ref={grid} onKeyDown={onKeyDown}>
+    <div className="class-cards gap-xl" role="group" aria-label={t("teacher.cards")} ref={grid} onKeyDown={onKeyDown}>
       {folders.map((folder) => {
         const one = seen.get(folder);
         return one === undefined ? null : (

@@ -27,7 +27,7 @@ export function Comment({ folder, name, exercise, mark }: CommentProps) {
     );
   };
   return (
-    <form className="class-write class-comment rigid" onSubmit={keep}>
+    <form className="class-write class-comment rigid flex gap-m wrap" onSubmit={keep}>
       {mark?.points == null ? null : (
         <p className="class-muted muted small-text" data-testid="look-mark">
           {t("teacher.mark", { points: mark.points, of: mark.of })}

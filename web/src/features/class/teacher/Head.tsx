@@ -63,7 +63,7 @@ function GradeTool({ folders }: { folders: readonly string[] | null }) {
   const grading = news?.grading ?? null;
   if (grading !== null && grading.page === "" && grading.done < grading.total) {
     return (
-      <span className="tool-named class-grading muted" role="status">
+      <span className="tool-named class-grading muted nowrap medium gap-m relative" role="status">
         {t("teacher.grading", { done: grading.done, total: grading.total })}
       </span>
     );
@@ -72,7 +72,7 @@ function GradeTool({ folders }: { folders: readonly string[] | null }) {
     <>
       <button
         type="button"
-        className="tool tool-named rigid"
+        className="tool tool-named rigid nowrap medium gap-m relative"
         data-testid="grade"
         disabled={news?.exercise === ""}
         onClick={() => act(classApi.grade(folders))}
@@ -81,7 +81,12 @@ function GradeTool({ folders }: { folders: readonly string[] | null }) {
         {folders === null ? t("teacher.grade") : t("teacher.grade-some", { count: folders.length })}
       </button>
       {grading !== null && grading.page !== "" ? (
-        <button type="button" className="tool tool-named rigid" data-testid="grades" onClick={openGrades}>
+        <button
+          type="button"
+          className="tool tool-named rigid nowrap medium gap-m relative"
+          data-testid="grades"
+          onClick={openGrades}
+        >
           <Icon name="file" size={18} />
           {t("teacher.grades")}
         </button>
@@ -101,7 +106,7 @@ function FreezeTool({ folders }: { folders: readonly string[] | null }) {
   return (
     <button
       type="button"
-      className="tool tool-named rigid"
+      className="tool tool-named rigid nowrap medium gap-m relative"
       data-testid="freeze"
       aria-pressed={frozen}
       disabled={folders !== null && count === 0}
@@ -121,23 +126,36 @@ export function Head({ open, folders, here, away }: HeadProps) {
   const some = folders === null ? null : folders.length;
   return (
     <header className="class-head rigid">
-      <div className="class-head-menu row">
+      <div className="class-head-menu aligned relative">
         {menus.map(([id, label, entries]) => (
-          <MenuButton key={id} id={id} label={label} entries={entries} className="menubar-title small-text">
+          <MenuButton
+            key={id}
+            id={id}
+            label={label}
+            entries={entries}
+            className="menubar-title small-text nowrap medium focus-inside"
+          >
             {label}
           </MenuButton>
         ))}
-        <h1 dir="auto">{news?.name ?? ""}</h1>
+        <h1 className="small-text ellipsis" dir="auto">
+          {news?.name ?? ""}
+        </h1>
       </div>
-      <div className="class-tools row wrap" role="toolbar" aria-label={t("teacher.menu-class")}>
-        <button type="button" className="run-button bold rigid" data-testid="send" onClick={() => open("send")}>
+      <div className="class-tools row wrap gap-xs" role="toolbar" aria-label={t("teacher.menu-class")}>
+        <button
+          type="button"
+          className="run-button bold rigid inline-row ink justify-centre"
+          data-testid="send"
+          onClick={() => open("send")}
+        >
           <Icon name="send" size={18} />
           {some === null ? t("teacher.send") : t("teacher.send-some", { count: some })}
         </button>
         <FreezeTool folders={folders} />
         <button
           type="button"
-          className="tool tool-named rigid"
+          className="tool tool-named rigid nowrap medium gap-m relative"
           data-testid="collect"
           onClick={() => collect(folders, news?.folder ?? "class")}
         >
@@ -147,11 +165,16 @@ export function Head({ open, folders, here, away }: HeadProps) {
         <GradeTool folders={folders} />
         <MarksTool />
         <span className="tool-line rigid" />
-        <button type="button" className="tool tool-named rigid" data-testid="add" onClick={() => open("add")}>
+        <button
+          type="button"
+          className="tool tool-named rigid nowrap medium gap-m relative"
+          data-testid="add"
+          onClick={() => open("add")}
+        >
           <Icon name="user-plus" size={18} />
           {t("teacher.add")}
         </button>
-        <p className="class-there row" data-testid="class-there">
+        <p className="class-there row to-end gap-s" data-testid="class-there">
           <Icon name="circle-dot" size={14} />
           {t("teacher.here", { count: here })}
           <Icon name="circle-dashed" size={14} />
@@ -180,7 +203,12 @@ export function MarksTool() {
     menuItem(`marks-${one}`, t(`teacher.marks-${one}`), null, () => act(save(one))),
   );
   return (
-    <MenuButton id="class-marks" label={t("teacher.marks")} className="tool tool-named rigid" entries={entries}>
+    <MenuButton
+      id="class-marks"
+      label={t("teacher.marks")}
+      className="tool tool-named rigid nowrap medium gap-m relative"
+      entries={entries}
+    >
       <Icon name="clipboard-check" size={18} />
       {t("teacher.marks")}
     </MenuButton>

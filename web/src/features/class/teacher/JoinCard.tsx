@@ -35,20 +35,22 @@ export function JoinCard({ large, onLarge }: { large: boolean; onLarge?: () => v
   if (news === null) return null;
   const address = news.address.replace(/^http:\/\//, "").replace(/\/$/, "");
   return (
-    <section className="class-join surface row rigid" data-large={large} data-testid="class-join">
+    <section className="class-join surface row rigid gap-2xl" data-large={large} data-testid="class-join">
       <Qr rows={news.qr} />
-      <div className="class-join-words column">
+      <div className="column slim">
         <span className="class-muted muted small-text">{t("teacher.join-at")}</span>
-        <code dir="ltr">{address}</code>
+        <code className="breakable" dir="ltr">
+          {address}
+        </code>
         {news.code === "" ? (
           <strong>{t("teacher.no-code")}</strong>
         ) : (
-          <strong className="class-code" dir="ltr" data-testid="class-code">
+          <strong className="class-code nowrap" dir="ltr" data-testid="class-code">
             {codeWords(news.code)}
           </strong>
         )}
         {onLarge === undefined ? null : (
-          <button type="button" className="class-plain" onClick={onLarge}>
+          <button type="button" className="class-plain text-button inline-row" onClick={onLarge}>
             <Icon name="maximize" size={16} />
             {t("teacher.show-large")}
           </button>
@@ -64,7 +66,7 @@ export function LargeJoin({ onClose }: { onClose: () => void }) {
   useEffect(() => borrowFocus(place.current), []);
   return (
     <div
-      className="class-large"
+      className="class-large centred"
       role="dialog"
       aria-label={t("teacher.join-at")}
       tabIndex={-1}

@@ -32,7 +32,7 @@ function Graph({ program, name }: { program: Program; name: string }) {
   );
   return (
     // It scrolls, and keys scroll what has the focus.
-    <div className="class-look-graph" role="region" aria-label={name} tabIndex={0}>
+    <div className="class-look-graph scroll" role="region" aria-label={name} tabIndex={0}>
       <GraphDrawing key={theme} layout={layout} title={name} inside="" />
     </div>
   );
@@ -51,7 +51,7 @@ function Write({ folder, name }: { folder: string; name: string }) {
     );
   };
   return (
-    <form className="class-write rigid" onSubmit={send}>
+    <form className="class-write rigid flex gap-m" onSubmit={send}>
       <input
         className="field"
         data-testid="write"
@@ -74,7 +74,7 @@ function Goals({ folder }: { folder: string }) {
   const goals = seen.get(folder)?.pupil.goals ?? [];
   if (news === null || news.goals.length === 0) return null;
   return (
-    <ul className="class-look-goals rigid">
+    <ul className="class-look-goals rigid scroll">
       {news.goals.map(({ label }, at) => {
         const goal = goals[at];
         const reached = goal?.reached === true;
@@ -94,7 +94,7 @@ function Goals({ folder }: { folder: string }) {
             <span>
               {text(label)}
               {goal === undefined || reached || !goal.why ? null : (
-                <small>
+                <small className="block regular">
                   <Said text={goal.why} />
                 </small>
               )}
@@ -147,7 +147,7 @@ function Turn({ folder, copy }: { folder: string; copy: string }) {
     return (
       <button
         type="button"
-        className="class-plain"
+        className="class-plain text-button inline-row"
         data-testid="ask-to-edit"
         disabled={pages === 0}
         onClick={() => act(classApi.turn(folder, true))}
@@ -158,7 +158,7 @@ function Turn({ folder, copy }: { folder: string; copy: string }) {
     );
   }
   return (
-    <p className="class-turn row wrap" role="status" data-testid="turn">
+    <p className="row wrap wide" role="status" data-testid="turn">
       {t(turn === "asked" ? "teacher.asked-to-edit" : "teacher.may-edit", { name })}{" "}
       {turn === "asked" ? null : (
         <a className="button button-ink" href={copy} target="_blank" rel="noopener" data-testid="edit">
@@ -184,7 +184,7 @@ function Word({ name, word }: { name: string; word: string }) {
       ) : null}
       <button
         type="button"
-        className="class-plain"
+        className="class-plain text-button inline-row"
         aria-expanded={open}
         data-testid="look-word-show"
         onClick={() => setOpen(!open)}
@@ -211,10 +211,10 @@ export function Look({ now }: { now: number }) {
         <h2 className="heading ellipsis" dir="auto">
           {name}
         </h2>
-        <span className="class-muted muted small-text" dir="auto">
+        <span className="class-muted muted small-text ellipsis" dir="auto">
           {file}
         </span>
-        <span className="class-look-state small-text bold rigid">
+        <span className="small-text bold rigid inline-row gap-s">
           <Icon name={icon} size={14} />
           {words}
         </span>
@@ -239,7 +239,7 @@ export function Look({ now }: { now: number }) {
         </p>
       )}
       {program === null ? (
-        <p className="class-nobody muted">{t("teacher.look-none")}</p>
+        <p className="class-nobody muted text-centre">{t("teacher.look-none")}</p>
       ) : (
         <Graph program={program} name={name} />
       )}
@@ -257,21 +257,27 @@ export function Look({ now }: { now: number }) {
       <div className="class-look-more row wrap rigid">
         <Turn folder={folder} copy={copy} />
         {file === "" ? null : (
-          <a className="class-plain" href={copy} target="_blank" rel="noopener" data-testid="look-copy">
+          <a
+            className="class-plain text-button inline-row"
+            href={copy}
+            target="_blank"
+            rel="noopener"
+            data-testid="look-copy"
+          >
             <Icon name="maximize-2" size={16} />
             {t("teacher.look-large")}
           </a>
         )}
         <Word key={folder} name={name} word={word} />
         {removing === folder ? (
-          <p role="alert" className="class-look-sure">
+          <p role="alert" className="wide">
             {t("teacher.remove-sure", { name })}{" "}
             <Button data-removes="" onClick={() => act(classApi.remove(folder))}>
               {t("teacher.remove-yes")}
             </Button>
           </p>
         ) : (
-          <button type="button" className="class-plain" onClick={() => setRemoving(folder)}>
+          <button type="button" className="class-plain text-button inline-row" onClick={() => setRemoving(folder)}>
             <Icon name="trash-2" size={16} />
             {t("teacher.remove")}
           </button>

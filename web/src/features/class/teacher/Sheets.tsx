@@ -44,12 +44,17 @@ function Send({ onClose, folders }: SheetProps) {
       <ul>
         {[...own, ...examples].map((one) => (
           <li key={one.path}>
-            <button type="button" className="open-entry row" data-path={one.path} onClick={() => send(one.path)}>
+            <button
+              type="button"
+              className="open-entry row start-text gap-xl hover"
+              data-path={one.path}
+              onClick={() => send(one.path)}
+            >
               <Icon name="file" size={16} />
-              <span className="open-title ellipsis" dir="auto">
+              <span className="open-title ellipsis medium" dir="auto">
                 {text(one.label, one.title || one.name)}
               </span>
-              <span className="open-path ellipsis muted small-text" dir="auto">
+              <span className="open-path ellipsis muted small-text slim" dir="auto">
                 {one.example ? text(one.help) : one.path}
               </span>
             </button>
@@ -87,14 +92,14 @@ function ChooseExercise({ onClose }: SheetProps) {
           <li key={name}>
             <button
               type="button"
-              className="open-entry row"
+              className="open-entry row start-text gap-xl hover"
               aria-pressed={name === now}
               data-path={name}
               onClick={() => choose(name)}
             >
               <Icon name={icon} size={18} />
-              <span className="open-title ellipsis">{text(label)}</span>
-              <span className="open-path ellipsis muted small-text" dir="auto">
+              <span className="open-title ellipsis medium">{text(label)}</span>
+              <span className="open-path ellipsis muted small-text slim" dir="auto">
                 {[t("exercise.count", { count: goals.length }), ...(isShipped(name) ? [] : [name])].join(" · ")}
               </span>
               {name === now ? <Icon name="check" size={16} /> : null}
@@ -102,9 +107,9 @@ function ChooseExercise({ onClose }: SheetProps) {
           </li>
         ))}
         <li>
-          <button type="button" className="open-entry row" onClick={() => choose("")}>
+          <button type="button" className="open-entry row start-text gap-xl hover" onClick={() => choose("")}>
             <Icon name="circle-slash-2" size={18} />
-            <span className="open-title ellipsis">{t("teacher.no-exercise-more")}</span>
+            <span className="open-title ellipsis medium">{t("teacher.no-exercise-more")}</span>
           </button>
         </li>
       </ul>
@@ -135,7 +140,7 @@ function Add({ onClose }: SheetProps) {
             onChange={(event) => setName(event.target.value)}
           />
         </Field>
-        <div className="sheet-foot">
+        <div className="sheet-foot flex gap-m justify-end">
           <Button ink type="submit">
             {t("teacher.add")}
           </Button>

@@ -1,4 +1,5 @@
 /** The page of the teacher: how to come in, how far the exercise is, a card for each pupil, and one looked on. */
+import "../../../ui/search-field.css";
 import "./teacher.css";
 
 import { type RefObject, useEffect, useRef, useState } from "react";
@@ -45,14 +46,14 @@ function Bars({ change }: { change: () => void }) {
   const count = pupils.length;
   const whole = pupils.filter((one) => news.goals.length > 0 && met(one) === news.goals.length).length;
   return (
-    <section className="class-exercise surface" data-testid="class-exercise">
-      <header>
+    <section className="class-exercise surface slim" data-testid="class-exercise">
+      <header className="row wrap">
         <Icon name="graduation-cap" size={18} />
         <h2 className="heading">{news.exercise === "" ? t("teacher.no-exercise") : text(news.exercise_label)}</h2>
         <span className="class-muted muted small-text">
           {news.exercise === "" ? t("teacher.no-exercise-help") : t("teacher.all-met", { done: whole, count })}
         </span>
-        <Button testId="change-exercise" onClick={change}>
+        <Button className="to-end" testId="change-exercise" onClick={change}>
           {t(news.exercise === "" ? "teacher.choose-exercise" : "teacher.change-exercise")}
         </Button>
       </header>
@@ -88,12 +89,12 @@ function Choice({ field }: { field: RefObject<HTMLInputElement | null> }) {
   const found = counts(pupilsOf(desk), news?.goals.length ?? 0);
   return (
     <div className="class-choice row wrap">
-      <div className="class-filters wrap" role="group" aria-label={t("teacher.filter")}>
+      <div className="class-filters wrap flex gap-xs" role="group" aria-label={t("teacher.filter")}>
         {FILTERS.map((one) => (
           <button
             key={one}
             type="button"
-            className="tool tool-named rigid"
+            className="tool tool-named rigid nowrap medium gap-m relative"
             aria-pressed={filter === one}
             data-testid={`filter-${one}`}
             onClick={() => filterCards(one)}
@@ -113,7 +114,7 @@ function Choice({ field }: { field: RefObject<HTMLInputElement | null> }) {
           keep={(one) => sortBy(one as Order)}
         />
       </Row>
-      <label className="class-find row">
+      <label className="class-find search-field">
         <Icon name="search" size={16} />
         <input
           className="field"
@@ -136,7 +137,7 @@ function Notices() {
   return (
     <>
       {refused || (lost !== null && news !== null) ? (
-        <div className="banner row rigid" role="alert" data-testid="class-lost">
+        <div className="banner row rigid gap-xl" role="alert" data-testid="class-lost">
           <Icon name="triangle-alert" size={18} />
           <p>
             <Said text={t(refused ? "teacher.wrong-key" : "teacher.lost")} />{" "}
@@ -145,7 +146,7 @@ function Notices() {
         </div>
       ) : null}
       {said === null ? null : (
-        <div className="banner banner-note row rigid" role="status" data-testid="class-said">
+        <div className="banner banner-note row rigid gap-xl" role="status" data-testid="class-said">
           <Icon name="info" size={18} />
           <p>
             <Said text={said.words} /> <Said text={said.help} />
@@ -154,7 +155,7 @@ function Notices() {
         </div>
       )}
       {news?.asking.map(({ asked, name }) => (
-        <div key={asked} className="banner banner-question row rigid" role="alert" data-testid="class-asks-in">
+        <div key={asked} className="banner banner-question row rigid gap-xl" role="alert" data-testid="class-asks-in">
           <Icon name="door-open" size={18} />
           <p dir="auto">{t("teacher.asks-in", { name })}</p>
           <Button onClick={() => act(classApi.answer(asked, true))}>{t("teacher.let-in")}</Button>
@@ -175,7 +176,7 @@ function Foot({ now, count, open }: { now: number; count: number; open: (sheet: 
   const seconds = kept === null ? null : Math.max(0, Math.round((now - kept) / 1000));
   return (
     <footer className="class-foot row wrap rigid">
-      <span className="class-foot-kept" data-testid="class-all-kept">
+      <span className="inline-row medium" data-testid="class-all-kept">
         <Icon name={lost === null ? "circle-check" : "triangle-alert"} size={16} />
         {seconds === null
           ? t("teacher.kept-none")
@@ -183,11 +184,16 @@ function Foot({ now, count, open }: { now: number; count: number; open: (sheet: 
             ? t("teacher.kept", { count: seconds })
             : t("teacher.kept-long", { count: Math.round(seconds / 60) })}
       </span>
-      <button type="button" className="class-plain" data-testid="log" onClick={() => open("log")}>
+      <button
+        type="button"
+        className="class-plain text-button inline-row"
+        data-testid="log"
+        onClick={() => open("log")}
+      >
         <Icon name="clipboard-list" size={16} />
         {t("teacher.log")}
       </button>
-      <span className="class-muted class-foot-folder muted small-text">
+      <span className="class-muted class-foot-folder muted small-text to-end">
         <span dir="auto">{t("teacher.folder", { folder: news.folder, count, size: size(news.bytes) })}</span>
         {" · "}
         <Said text={news.reach} />
@@ -230,10 +236,10 @@ export function Teacher() {
     <div className="class-page column" data-testid="teacher">
       <Head open={setSheet} folders={some} here={here} away={pupils.length - here} />
       <Notices />
-      <div className="class-middle">
-        <main className="class-main" aria-label={t("teacher.cards")}>
+      <div className="class-middle fill flex">
+        <main className="class-main grow scroll" aria-label={t("teacher.cards")}>
           {pupils.length === 0 ? (
-            <div className="class-empty" data-testid="class-empty">
+            <div className="class-empty gap-xl text-centre" data-testid="class-empty">
               <Bars change={() => setSheet("exercise")} />
               <JoinCard large />
               <p>{news === null ? "" : t("teacher.empty")}</p>
@@ -245,7 +251,7 @@ export function Teacher() {
             </div>
           ) : (
             <>
-              <div className="class-top wrap">
+              <div className="wrap flex gap-2xl">
                 <Bars change={() => setSheet("exercise")} />
                 <JoinCard large={false} onLarge={() => setLarge(true)} />
               </div>

@@ -50,7 +50,7 @@ export function DragGhost() {
   if (thing === null) return null;
   return createPortal(
     <div
-      className="member-ghost small-text"
+      className="member-ghost small-text carried"
       style={{ transform: `translate(${String(at.x + 10)}px, ${String(at.y + 12)}px)` }}
     >
       <strong>{thing.name}</strong>
@@ -93,7 +93,7 @@ export function Chip({ thing, places }: ChipProps) {
     <>
       <button
         type="button"
-        className="member-chip finger row small-text"
+        className="member-chip finger row small-text slim gap-s hover"
         ref={button}
         data-testid={`chip-${thing.from === undefined ? "" : `${thing.from}-`}${name}`}
         data-state={state}

@@ -26,7 +26,7 @@ function GroupCard({ group, at }: { group: TeamGroup; at: number }) {
       goal={{ kind: "group", name }}
       fields={null}
     >
-      <div className="chips wrap">
+      <div className="chips wrap flex gap-s">
         {members.map((member) => (
           <Chip
             key={member}
@@ -34,9 +34,9 @@ function GroupCard({ group, at }: { group: TeamGroup; at: number }) {
             places={placesSaid(mission, member, cast.get(member))}
           />
         ))}
-        <span className="chip-place finger row small-text muted">{t("roster.drop")}</span>
+        <span className="chip-place finger row small-text muted slim gap-s justify-centre">{t("roster.drop")}</span>
       </div>
-      <fieldset className="card-policy column small-text">
+      <fieldset className="roster-card-policy column small-text">
         <legend>{t("roster.failure")}</legend>
         {POLICIES.map((policy) => (
           <Checkbox

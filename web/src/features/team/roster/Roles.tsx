@@ -48,7 +48,7 @@ function RoleCard({ role, at, players }: { role: Role; at: number; players: read
             missing={t("roster.no-robot", { robot: role.robot })}
             keep={(robot) => change({ robot })}
           />
-          <div className="card-counts">
+          <div className="roster-card-counts gap-s">
             <Count
               label={t("roster.least")}
               testId={`least-${name}`}
@@ -69,12 +69,12 @@ function RoleCard({ role, at, players }: { role: Role; at: number; players: read
         </>
       }
     >
-      <div className="chips wrap">
+      <div className="chips wrap flex gap-s">
         {players.map((agent) => (
           <Chip key={agent} thing={{ name: agent, isAgent: true }} places={placesSaid(mission, agent, name)} />
         ))}
         {players.length < role.most ? (
-          <span className="chip-place finger row small-text muted">{t("roster.drop")}</span>
+          <span className="chip-place finger row small-text muted slim gap-s justify-centre">{t("roster.drop")}</span>
         ) : null}
       </div>
     </Card>
@@ -114,23 +114,23 @@ export function Spare() {
   const others = mission.agents.filter((one) => !isOfTeam(mission, one));
   const row = (agents: typeof others, title: string, help: string) => (
     <>
-      <div className="card-head row">
+      <div className="roster-card-head row gap-s">
         <strong>{title}</strong>
         <small>{help}</small>
       </div>
-      <div className="chips wrap">
+      <div className="chips wrap flex gap-s">
         {agents.map(({ name }) => (
           <Chip key={name} thing={{ name, isAgent: true }} places={placesSaid(mission, name, undefined)} />
         ))}
         {agents.length === 0 ? (
-          <span className="chip-place finger row small-text muted">{t("roster.drop")}</span>
+          <span className="chip-place finger row small-text muted slim gap-s justify-centre">{t("roster.drop")}</span>
         ) : null}
       </div>
     </>
   );
   return (
     <div
-      className="card card-spare surface column"
+      className="roster-card roster-card-spare surface column"
       data-testid="card-spare"
       data-goal="spare"
       data-name=""
@@ -139,7 +139,7 @@ export function Spare() {
       {row(spare, t("roster.spare"), t("roster.spare-help"))}
       {others.length === 0 ? null : row(others, t("roster.others"), t("roster.others-help"))}
       {over && why !== "" ? (
-        <p className="card-why small-text" role="status">
+        <p className="roster-card-why small-text" role="status">
           {why}
         </p>
       ) : null}

@@ -36,7 +36,7 @@ function Section({ what, title, none, empty, add, can, children }: SectionProps)
       const card = list.current?.querySelector<HTMLElement>(`[data-testid="card-${CSS.escape(name)}"]`);
       card?.querySelector<HTMLElement>('[aria-expanded="false"].tool')?.click();
       requestAnimationFrame(() => {
-        const field = card?.querySelector<HTMLInputElement>(".card-name input");
+        const field = card?.querySelector<HTMLInputElement>(".roster-card-name input");
         field?.focus();
         field?.select();
         card?.scrollIntoView({ block: "nearest" });
@@ -58,8 +58,8 @@ function Section({ what, title, none, empty, add, can, children }: SectionProps)
           }}
         />
       </header>
-      {empty ? <p className="roster-none muted small-text">{none}</p> : null}
-      <ul className="plain-list column" ref={list}>
+      {empty ? <p className="muted small-text below">{none}</p> : null}
+      <ul className="column" ref={list}>
         {children}
       </ul>
     </section>
@@ -83,7 +83,7 @@ export default function Roster() {
   const roles = rolesOf(mission).length;
   const said = useSaid();
   return (
-    <div className="roster" data-testid="roster">
+    <div className="roster column gap-xl" data-testid="roster">
       <Section
         what="role"
         title={t("roster.roles")}
@@ -115,7 +115,7 @@ export default function Roster() {
       >
         <Works />
       </Section>
-      <p className="roster-said small-text" role="status" data-testid="roster-said">
+      <p className="roster-said small-text ink" role="status" data-testid="roster-said">
         {said}
       </p>
       <DragGhost />

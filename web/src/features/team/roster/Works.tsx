@@ -25,7 +25,7 @@ function WorkCard({ work, at }: { work: Work; at: number }) {
           : t("roster.lease-said", { units: String(units), lease: String(lease) })
       }
       fields={
-        <div className="card-counts">
+        <div className="roster-card-counts gap-s">
           <Count
             label={t("roster.units")}
             testId={`units-${name}`}
@@ -48,7 +48,7 @@ function WorkCard({ work, at }: { work: Work; at: number }) {
       }
     >
       {units > DRAWN ? null : (
-        <div className="units wrap" aria-hidden="true">
+        <div className="units wrap flex" aria-hidden="true">
           {Array.from({ length: units }, (_, unit) => (
             <span key={unit} />
           ))}

@@ -45,7 +45,7 @@ function Trouble({ name }: { name: string }) {
   const one = found ?? elsewhere;
   if (one === undefined) return null;
   return (
-    <p className="card-trouble small-text" role="status" data-testid={`trouble-${name}`}>
+    <p className="roster-card-trouble small-text flex gap-s items-start" role="status" data-testid={`trouble-${name}`}>
       <Icon name={one.severity === "error" ? "octagon-x" : "triangle-alert"} size={14} />{" "}
       <span>
         <Said text={sentence(one.message)} />
@@ -73,12 +73,12 @@ export function Card({ name, note, icon, work = false, goal, fields, children }:
   const place = goal === undefined ? {} : { "data-goal": goal.kind, "data-name": goal.name };
   return (
     <li
-      className="card surface column"
+      className="roster-card surface column"
       data-testid={`card-${name}`}
       data-over={over ? (why === "" ? "takes" : "refuses") : undefined}
       {...place}
     >
-      <div className="card-head row">
+      <div className="roster-card-head row gap-s">
         <Icon name={icon} size={16} />
         <strong dir="auto" title={name}>
           {name}
@@ -95,8 +95,8 @@ export function Card({ name, note, icon, work = false, goal, fields, children }:
         />
       </div>
       {open ? (
-        <div className="card-fields column">
-          <div className="card-name">
+        <div className="roster-card-fields column gap-s">
+          <div className="roster-card-name gap-xs">
             <NameCell
               name={name}
               label={t("roster.name", { name })}
@@ -120,7 +120,7 @@ export function Card({ name, note, icon, work = false, goal, fields, children }:
       ) : null}
       {children}
       {over && why !== "" ? (
-        <p className="card-why small-text" role="status" data-testid="drop-why">
+        <p className="roster-card-why small-text" role="status" data-testid="drop-why">
           {why}
         </p>
       ) : null}
@@ -132,7 +132,7 @@ export function Card({ name, note, icon, work = false, goal, fields, children }:
 /** A whole number of a declaration. */
 export function Count({ label, title, ...number }: ComponentProps<typeof NumberInput> & { title?: string }) {
   return (
-    <label className="card-count column muted" title={title}>
+    <label className="column muted tiny-text gap-2xs" title={title}>
       {label}
       <NumberInput {...number} whole />
     </label>
