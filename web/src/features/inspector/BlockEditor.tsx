@@ -14,7 +14,6 @@ import { wordsOf } from "../../model/words";
 import type { Drawing } from "../../session/drawing";
 import { useShown } from "../../session/simple-view";
 import { addressOf, toggleVaried, useVaried } from "../../session/varied";
-import { Icon } from "../../theme";
 import { Row } from "../../ui/Row";
 import { Tool } from "../../ui/Tool";
 
