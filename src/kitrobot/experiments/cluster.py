@@ -8,12 +8,13 @@ batch that takes workers along is made again row by row, so that only the run th
 from __future__ import annotations
 
 import asyncio
+import logging
 import math
 import threading
 from collections import Counter, deque
 from collections.abc import Iterator
 from concurrent.futures import CancelledError
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from itertools import islice
 from typing import Any, Final
 
@@ -54,6 +55,10 @@ class DaskCluster:
                 a run (as without KitRobot, or with another version of it).
         """
         distributed = _distributed()
+        with _quiet_logs():
+            yield from self._run(distributed, work, stop)
+
+    def _run(self, distributed: Any, work: Work, stop: Stop) -> Iterator[bytes]:
         cluster = self._local(distributed) if self._address == LOCAL else None
         try:
             client = self._client(distributed, self._address if cluster is None else cluster)
@@ -79,6 +84,20 @@ class DaskCluster:
                 Sentence("there is no Dask scheduler at `{address}`", self._address),
                 Sentence("start one with `dask scheduler`, and name the address that it prints"),
             ) from error
+
+
+@contextmanager
+def _quiet_logs() -> Iterator[None]:
+    """Keeps Dask's own log of what goes away off the screen: a sentence says it."""
+    loggers = [logging.getLogger(name) for name in ("distributed", "distributed.client")]
+    levels = [logger.level for logger in loggers]
+    for logger in loggers:
+        logger.setLevel(logging.CRITICAL + 1)
+    try:
+        yield
+    finally:
+        for logger, level in zip(loggers, levels, strict=True):
+            logger.setLevel(level)
 
 
 class _Batches:
