@@ -103,7 +103,7 @@ def test_bad_input_is_a_sentence(kitrobot, arguments, status, sentence):
     assert "Traceback" not in said.err
 
 
-SPLIT = ("--fail-rate", 0.999, "--seconds", 1.2, "--splitting", "failed", "--runs", 800, "--jobs", 1)
+SPLIT = ("--fail-rate", 0.999, "--seconds", 1.2, "--splitting", "failed", "--runs", 400, "--jobs", 1)
 
 
 def test_runs_are_split_where_one_more_fails_and_what_no_branch_finds_is_not_known(kitrobot):
@@ -111,9 +111,9 @@ def test_runs_are_split_where_one_more_fails_and_what_no_branch_finds_is_not_kno
     lines = said.out.splitlines()
     assert (said.status, said.err) == (3, "")
     assert lines[0] == "a run ends with the outcome done"
-    assert lines[2] == "  probability  not known: 0 of 20 repetitions found it; let there be more `--runs`"
+    assert lines[2] == "  probability  not known: 0 of 10 repetitions found it; let there be more `--runs`"
     assert lines[3].startswith("  levels       failed: ")
-    assert lines[4].endswith(" in 20 repetitions, with the seed 1")
+    assert lines[4].endswith(" in 10 repetitions, with the seed 1")
 
 
 def test_split_runs_are_json_too(kitrobot):
@@ -121,7 +121,7 @@ def test_split_runs_are_json_too(kitrobot):
     found = said.json
     assert (said.status, found["splitting"], found["complete"]) == (0, "failed", True)
     assert found["low"] < found["estimate"] < found["high"]
-    assert len(found["repetitions"]) == 20
+    assert len(found["repetitions"]) == 10
 
 
 @pytest.mark.parametrize(

@@ -55,7 +55,7 @@ def test_good_levels_are_more_precise_than_as_many_runs_without() -> None:
 def test_intervals_hold_the_truth_as_often_as_they_say() -> None:
     held = 0
     for study in range(STUDIES):
-        found = [split(walk, (1.0, 2.0, 3.0, 4.0), 20, study, number) for number in range(20)]
+        found = [split(walk, (1.0, 2.0, 3.0, 4.0), 40, study, number) for number in range(10)]
         interval = split_interval(found, 0.95)
         held += interval is not None and interval.low <= TRUTH <= interval.high
     assert held >= scipy.stats.binom.ppf(1e-4, STUDIES, 0.93)

@@ -37,7 +37,7 @@ def drivers() -> OpenMission:
 
 def asked(opened: OpenMission, question: str = ALL_FAIL, rate: float = RATE, **options: Any) -> RareProbability:
     prepared = opened.prepare(RunOptions(1, 30.0, rate))
-    chosen: dict[str, Any] = {"counts": "failed", "branches": BRANCHES, "repetitions": 10, "jobs": 1, **options}
+    chosen: dict[str, Any] = {"counts": "failed", "branches": BRANCHES, "jobs": 1, **options}
     return find_rare_probability(prepared, question, SplittingOptions(**chosen))
 
 

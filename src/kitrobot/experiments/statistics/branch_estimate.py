@@ -22,7 +22,7 @@ from kitrobot.experiments.statistics.means import mean_interval
 from kitrobot.text.sentences import Sentence
 
 MOST_LEVELS: Final = 40
-USUAL_REPETITIONS: Final = 20
+USUAL_REPETITIONS: Final = 10
 LEAST_EFFORT: Final = 10
 """Branches from each level that there are at least."""
 _OFTEN: Final = 0.5
