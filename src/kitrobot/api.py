@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from os import PathLike, fspath
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypedDict, Unpack
+from typing import TYPE_CHECKING, Any, Unpack
 
 from kitrobot.compiler.compilation import CompiledProgram, compile_lll, compile_text
 from kitrobot.compiler.compilation import compile_program as compile_graph
@@ -37,34 +37,13 @@ from kitrobot.workspace.search_path import SearchPath
 from kitrobot.workspace.traces import OpenTrace
 
 if TYPE_CHECKING:
-    from kitrobot.experiments.probability import Probability, Progress
-    from kitrobot.judges.judgement import Judgement
+    from kitrobot.experiments.probability import Probability, Progress, RunLimits
+    from kitrobot.experiments.rare_probability import RareProbability
+    from kitrobot.judges.judgement import JudgeLimits, Judgement
     from kitrobot.verifier.report.state_walk import StateWalk
 
 UNSAVED = "mission.krt"
 """What messages call a mission that is no file."""
-
-
-class RunLimits(TypedDict, total=False):
-    """What limits the runs of `probability`."""
-
-    seconds: float
-    runs: int | None
-    jobs: int | None
-    progress: Progress | None
-
-
-class JudgeLimits(TypedDict, total=False):
-    """What limits the judges of `judge`."""
-
-    seed: int
-    seconds: float
-    fail_rate: float
-    runs: int
-    moments: int
-    check_seconds: float
-    timings: Sequence[str]
-    jobs: int | None
 
 
 def open_mission(mission: str | PathLike[str] | Mission, *, folder: str | PathLike[str] = ".") -> OpenMission:
@@ -192,6 +171,40 @@ def probability(
     prepared = opened.prepare(RunOptions(seed, limits.get("seconds", 600.0), fail_rate))
     chosen = ProbabilityOptions(precision, confidence, at_least, limits.get("runs"), limits.get("jobs"))
     return find_probability(prepared, question, chosen, limits.get("progress"))
+
+
+def rare_probability(
+    mission: str | PathLike[str] | Mission | OpenMission,
+    question: str,
+    counts: str,
+    *,
+    fail_rate: float = 0.0,
+    seed: int = DEFAULT_SEED,
+    seconds: float = 600.0,
+    progress: Progress | None = None,
+    **options: Any,
+) -> RareProbability:
+    """How probable something is that hardly ever happens in a run of a mission, by multilevel splitting.
+
+    Args:
+        mission: as of `open_mission`, or what that gave.
+        question: as of `probability`.
+        counts: where runs branch: at one more that is `delivered` or has `failed`, or of the `collisions`.
+        fail_rate: as of `probability`.
+        seed: decides all chance.
+        seconds: as of `probability`.
+        progress: told how many repetitions are over, and of how many.
+        options: other fields of `experiments.rare_probability.SplittingOptions`, such as `branches`.
+
+    Raises:
+        KitRobotError: the mission has errors, the question cannot be understood, or runs cannot be split so.
+    """
+    from kitrobot.experiments.rare_probability import SplittingOptions, find_rare_probability
+    from kitrobot.workspace.mission_run import RunOptions
+
+    opened = mission if isinstance(mission, OpenMission) else open_mission(mission)
+    prepared = opened.prepare(RunOptions(seed, seconds, fail_rate))
+    return find_rare_probability(prepared, question, SplittingOptions(counts, **options), progress)
 
 
 def judge(

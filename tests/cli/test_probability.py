@@ -101,3 +101,38 @@ def test_bad_input_is_a_sentence(kitrobot, arguments, status, sentence):
     assert (said.status, said.out) == (status, "")
     assert sentence in " ".join(said.err.split())
     assert "Traceback" not in said.err
+
+
+SPLIT = ("--fail-rate", 0.999, "--seconds", 1.2, "--splitting", "failed", "--runs", 400, "--jobs", 1)
+
+
+def test_runs_are_split_where_one_more_fails_and_what_no_branch_finds_is_not_known(kitrobot):
+    said = kitrobot("probability", EXAMPLE, "done", *SPLIT)
+    lines = said.out.splitlines()
+    assert (said.status, said.err) == (3, "")
+    assert lines[0] == "a run ends with the outcome done"
+    assert lines[2] == "  probability  not known: 0 of 10 repetitions found it; let there be more `--runs`"
+    assert lines[3].startswith("  levels       failed: ")
+    assert lines[4].endswith(" in 10 repetitions, with the seed 1")
+
+
+def test_split_runs_are_json_too(kitrobot):
+    said = kitrobot("probability", EXAMPLE, "time", *SPLIT, "--json")
+    found = said.json
+    assert (said.status, found["splitting"], found["complete"]) == (0, "failed", True)
+    assert found["low"] < found["estimate"] < found["high"]
+    assert len(found["repetitions"]) == 10
+
+
+@pytest.mark.parametrize(
+    ("more", "status", "sentence"),
+    [
+        (("--splitting", "speed"), 1, "runs are split at"),
+        (("--splitting", "failed", "--at-least", 0.5), 2, "split runs give an estimate, no decision"),
+        (("--splitting", "failed", "--runs", 5), 1, "5 branches are too few"),
+    ],
+)
+def test_runs_that_cannot_be_split_are_a_sentence(kitrobot, more, status, sentence):
+    said = kitrobot(*ASKED, *more)
+    assert (said.status, said.out) == (status, "")
+    assert sentence in said.err

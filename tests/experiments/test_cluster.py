@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import itertools
+import os
 import re
 import signal
 import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from importlib.util import find_spec
+from pathlib import Path
 
 import pytest
 
@@ -35,10 +38,13 @@ def undisturbed():
 
 
 @contextmanager
-def _program(name: str, *arguments: str, says: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
-    """A program of Dask's, once it has said that; and what it said there."""
+def _program(
+    name: str, *arguments: str, says: str, path: Path | None = None
+) -> Iterator[tuple[subprocess.Popen[str], str]]:
+    """A program of Dask's, once it has said that; and what it said there. It finds modules in a folder first."""
     command = [sys.executable, "-m", f"distributed.cli.{name}", *arguments]
-    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+    environment = os.environ if path is None else {**os.environ, "PYTHONPATH": str(path)}
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, env=environment) as process:
         assert process.stderr is not None
         try:
             found = next(match for line in process.stderr if (match := re.search(says, line)))
@@ -55,9 +61,9 @@ def _scheduler():
         yield made
 
 
-def _worker(address: str):
+def _worker(address: str, path: Path | None = None):
     options = ("--no-nanny", "--nthreads", "1", "--no-dashboard")
-    return _program("dask_worker", address, *options, says=r"(Registered to:)")
+    return _program("dask_worker", address, *options, says=r"(Registered to:)", path=path)
 
 
 def test_a_worker_that_is_killed_costs_no_row_and_a_scheduler_that_goes_away_is_a_sentence(tmp_path, undisturbed):
@@ -85,6 +91,32 @@ def test_a_worker_that_is_killed_costs_no_row_and_a_scheduler_that_goes_away_is_
     assert set(sorted_rows(tmp_path)) < set(undisturbed)
     assert run_study(tmp_path, ThisProcess())
     assert sorted_rows(tmp_path) == undisturbed
+
+
+@pytest.mark.parametrize(
+    ("package", "reason"),
+    [
+        ('raise ImportError("there is no kitrobot here")\n', "cannot make a run: .*there is no kitrobot here"),
+        pytest.param(
+            None,
+            "cannot make a run: .*this study was begun with KitRobot 0.0.1",
+            marks=pytest.mark.thorough("the other worker, without the package"),
+        ),
+    ],
+)
+def test_a_worker_without_the_package_or_with_another_version_is_a_sentence(tmp_path, package, reason):
+    if package is not None:
+        (tmp_path / "kitrobot").mkdir()
+        (tmp_path / "kitrobot" / "__init__.py").write_text(package)
+    plan = PLAN if package is not None else replace(PLAN, version="0.0.1")
+    folder = tmp_path if package is not None else None
+    with (
+        _scheduler() as (_, address),
+        _worker(address, folder),
+        pytest.raises(ExperimentError, match=reason) as told,
+    ):
+        list(DaskCluster(address).run(Work(plan, range(4), 4), lambda: False))
+    assert told.value.help == "install the same version of KitRobot on all workers"
 
 
 def test_a_scheduler_that_is_not_there_is_a_sentence(monkeypatch):

@@ -18,8 +18,9 @@ from kitrobot.experiments.local_workers import LocalWorkers
 from kitrobot.experiments.point_runner import PointRunner
 from kitrobot.experiments.study_folder import begin_study
 from kitrobot.experiments.study_run import run_study
+from kitrobot.text.json_text import from_json
 from tests.effort import examples
-from tests.experiments.missions import short_plan, sorted_rows
+from tests.experiments.missions import die_at_seed_3, short_plan, sorted_rows
 
 ROOT = Path(__file__).parents[2]
 PLAN = short_plan("1-20")
@@ -31,6 +32,7 @@ from typing import Any
 from kitrobot.experiments import study_run
 from kitrobot.experiments.local_workers import LocalWorkers
 from kitrobot.experiments.study_run import run_study
+from kitrobot.text.json_text import from_json
 
 def main():
     study_run._SYNC_S = 0.0  # each row by itself
@@ -96,6 +98,25 @@ def test_processes_may_be_killed_again_and_again_as_long_as_others_begin(undistu
         if number % 3 == 0 and number < PLAN.rows - 4:
             os.kill(executor.workers[-1].process.pid, signal.SIGKILL)  # the newest, which may not be ready yet
     assert sorted(lines) == undisturbed
+
+
+@pytest.mark.thorough("the other tests of this file and of test_cluster.py, with a kill or two each")
+@pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGKILL")
+def test_random_kills_of_everything_leave_the_rows_of_an_undisturbed_study(tmp_path, monkeypatch):
+    kills = pytest.importorskip("benchmarks.kills", exc_type=ImportError)
+    monkeypatch.setenv("KITROBOT_COMPILE", "no")
+    campaign = kills.Campaign(100, runs=1000, rows=15)
+    campaign.run(tmp_path)
+    assert campaign.done.total() == 100
+    assert campaign.studies >= 2
+
+
+def test_a_run_that_a_process_died_at_is_made_again_after_the_others_that_the_process_had():
+    plan = short_plan("1-12", vary=[], functions={"one": die_at_seed_3})
+    lines = list(LocalWorkers(1).run(Work(plan, range(plan.rows), plan.rows, {"one": die_at_seed_3}), lambda: False))
+    rows = [from_json(line) for line in lines]
+    assert [row["seed"] for row in rows if row["outcome"] == "died"] == [3]
+    assert [row["seed"] for row in rows[:5]] == [1, 2, 4, 5, 6]
 
 
 def test_processes_end_when_nobody_wants_more_rows():

@@ -11,6 +11,7 @@ import typer
 from kitrobot.cli.options import Jobs, MissionFile, ResultAsJson
 from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_message
 from kitrobot.cli.progress import counted_progress
+from kitrobot.cli.rare_probability import INTERRUPTED, split_runs
 from kitrobot.cli.run import FailRate, check_run_numbers
 
 if TYPE_CHECKING:
@@ -44,7 +45,14 @@ MostRuns = Annotated[
     int | None,
     typer.Option("--runs", metavar="N", min=1, help="At most so many runs; else as many as it takes."),
 ]
-INTERRUPTED = 130
+Splitting = Annotated[
+    str | None,
+    typer.Option(
+        metavar="COUNT",
+        help="Of what hardly ever happens: branch runs where `delivered`, `failed` or `collisions` counts one more.",
+        show_default=False,
+    ),
+]
 
 
 def estimate_probability(
@@ -58,6 +66,7 @@ def estimate_probability(
     seconds: RunSeconds = 600.0,
     most_runs: MostRuns = None,
     jobs: Jobs = None,
+    splitting: Splitting = None,
     as_json: ResultAsJson = False,
 ) -> None:
     """Estimate how probable it is that a run of a mission has a property.
@@ -72,6 +81,11 @@ def estimate_probability(
     check_run_numbers(seed, seconds, fail_rate)
     prepared = open_mission(file).prepare(RunOptions(seed, seconds, fail_rate))
     print_diagnostics(prepared.problems, prepared.sources)
+    if splitting is not None:
+        if at_least is not None:
+            raise typer.BadParameter("split runs give an estimate, no decision", param_hint="'--at-least'")
+        split_runs(prepared, question, splitting, confidence, most_runs, jobs, as_json)
+        return
     options = ProbabilityOptions(precision, confidence, at_least, most_runs, jobs)
     with counted_progress("runs") as progress:
         found = find_probability(prepared, question, options, progress)

@@ -1,20 +1,24 @@
 """The rows of a study made on a Dask cluster (`kitrobot[cluster]`): its scheduler hands them to workers anywhere.
 
-Workers get the plan with each batch, keep the mission of the last plan hot, and give the rows of a batch back; nothing
-else is kept on the cluster, so a worker that is killed, retired or paused costs its batch, which Dask runs again. A
-batch that takes workers along is made again row by row, so that only the run that does it is given up.
+Each worker says first which version of KitRobot it has. Workers get the plan with each batch, keep the mission of the
+last plan hot, and give the rows of a batch back; nothing else is kept on the cluster, so a worker that is killed,
+retired or paused costs its batch, which Dask runs again. A batch that takes workers along is made again row by row, so
+that only the run that does it is given up.
 """
 
 from __future__ import annotations
 
 import asyncio
+import logging
 import math
 import threading
+import time
 from collections import Counter, deque
 from collections.abc import Iterator
 from concurrent.futures import CancelledError
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from itertools import islice
+from pkgutil import resolve_name
 from typing import Any, Final
 
 from kitrobot.diagnostics.model import KitRobotError
@@ -54,6 +58,10 @@ class DaskCluster:
                 a run (as without KitRobot, or with another version of it).
         """
         distributed = _distributed()
+        with _quiet_logs():
+            yield from self._run(distributed, work, stop)
+
+    def _run(self, distributed: Any, work: Work, stop: Stop) -> Iterator[bytes]:
         cluster = self._local(distributed) if self._address == LOCAL else None
         try:
             client = self._client(distributed, self._address if cluster is None else cluster)
@@ -81,6 +89,20 @@ class DaskCluster:
             ) from error
 
 
+@contextmanager
+def _quiet_logs() -> Iterator[None]:
+    """Keeps Dask's own log of what goes away off the screen: a sentence says it."""
+    loggers = [logging.getLogger(name) for name in ("distributed", "distributed.client")]
+    levels = [logger.level for logger in loggers]
+    for logger in loggers:
+        logger.setLevel(logging.CRITICAL + 1)
+    try:
+        yield
+    finally:
+        for logger, level in zip(loggers, levels, strict=True):
+            logger.setLevel(level)
+
+
 class _Batches:
     """The batches of some work on a cluster."""
 
@@ -91,17 +113,43 @@ class _Batches:
         self._under_way: dict[Any, list[int]] = {}
         self._again: deque[list[int]] = deque()
         self._deaths: Counter[int] = Counter()
+        self._asked: set[str] = set()
+        self._questions: list[Any] = []
+        self._is_ready = False
 
     def run(self, stop: Stop) -> Iterator[bytes]:
         waiting, left = iter(self._work.rows), self._work.count
         while left and not stop():
             try:
-                self._fill(waiting, left)
+                self._ask_workers()
+                if self._is_ready:
+                    self._fill(waiting, left)
                 lines = [line for future in self._ended() for line in self._lines(future)]
             except (OSError, RuntimeError, CancelledError, asyncio.CancelledError) as error:
                 raise _gone() from error
             left -= len(lines)
             yield from lines
+
+    def _ask_workers(self) -> None:
+        """Asks each new worker for its version, by a function of Python's: one of ours it could perhaps not even read,
+        and would then say nothing. Nothing else is sent before one has answered.
+        """
+        for address in self._client.nthreads():
+            if address not in self._asked:
+                self._asked.add(address)
+                self._questions.append(
+                    self._client.submit(resolve_name, "kitrobot:__version__", workers=[address], pure=False)
+                )
+        for question in [one for one in self._questions if one.done()]:
+            self._questions.remove(question)
+            if question.status == "finished":
+                if question.result() != self._work.plan.version:
+                    raise _unfit(str(_other_version(self._work.plan, question.result())))
+                self._is_ready = True
+            elif question.status == "error":
+                error = question.exception()
+                if not isinstance(error, self._distributed.KilledWorker):
+                    raise _unfit(f"{type(error).__name__}: {error}") from error
 
     def _fill(self, waiting: Iterator[int], left: int) -> None:
         threads = max(1, sum(self._client.nthreads().values()))
@@ -118,9 +166,12 @@ class _Batches:
         """The batches that are over; waits a moment for the first."""
         if self._client.status not in ("running", "connecting"):
             raise _gone()
+        awaited = [*self._under_way, *self._questions]
+        if not awaited:
+            time.sleep(_LOOK_S)  # No worker is there.
         try:
             with self._client.as_current():
-                self._distributed.wait(list(self._under_way), timeout=_LOOK_S, return_when="FIRST_COMPLETED")
+                self._distributed.wait(awaited, timeout=_LOOK_S, return_when="FIRST_COMPLETED")
         except TimeoutError:
             return []
         return [future for future in self._under_way if future.done()]
@@ -134,10 +185,7 @@ class _Batches:
             lines: list[bytes] = future.result()
             return lines
         if not isinstance(error, self._distributed.KilledWorker):
-            raise ExperimentError(
-                Sentence("a worker of the cluster cannot make a run: {reason}", f"{type(error).__name__}: {error}"),
-                Sentence("install the same version of KitRobot on all workers"),
-            ) from error
+            raise _unfit(f"{type(error).__name__}: {error}") from error
         if len(rows) > 1:
             self._again += [[row] for row in rows]
             return []
@@ -146,6 +194,17 @@ class _Batches:
             return [died_row(self._work.plan, rows[0])]
         self._again.append(rows)
         return []
+
+
+def _unfit(reason: str) -> ExperimentError:
+    return ExperimentError(
+        Sentence("a worker of the cluster cannot make a run: {reason}", reason),
+        Sentence("install the same version of KitRobot on all workers"),
+    )
+
+
+def _other_version(plan: Plan, found: str) -> Sentence:
+    return Sentence("this study was begun with KitRobot {version}, this is {ours}", plan.version, found)
 
 
 def _gone() -> ExperimentError:

@@ -1,7 +1,8 @@
 """Local processes that make the rows of a study, and their supervisor.
 
 Each process keeps one mission hot and sends each row as soon as its run ends, so when a process dies (killed, out of
-memory) the supervisor knows the run that it was at: that one counts a death, the others are given out again at once.
+memory) the supervisor knows the run that it was at: that one counts a death, and is made again after the others that
+the process had, which are given out again at once.
 Ctrl-C is the supervisor's alone; the processes end with it, however it ends.
 """
 
@@ -117,13 +118,13 @@ class LocalWorkers:
                 )
         if not worker.given:
             return None
-        blamed = worker.given[0]
+        blamed = worker.given.popleft()
         deaths[blamed] += 1
-        if deaths[blamed] >= MOST_DEATHS:
-            worker.given.popleft()
-            again.extendleft(reversed(worker.given))
-            return blamed
         again.extendleft(reversed(worker.given))
+        if deaths[blamed] >= MOST_DEATHS:
+            return blamed
+        # Behind the others: what kills processes from outside is then hardly at this very run each time.
+        again.append(blamed)
         return None
 
     def _end(self) -> None:

@@ -10,7 +10,7 @@ import time
 from collections.abc import Callable, Generator, Iterator
 from contextlib import closing
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any, Final, TypedDict
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.experiments.run_question import RunAnswer, RunJudge
@@ -36,6 +36,15 @@ _FEW: Final = 100
 
 Progress = Callable[[int, int | None], None]
 """Told how many runs are counted, and how many there are at most, where that is known."""
+
+
+class RunLimits(TypedDict, total=False):
+    """What limits the runs of `kitrobot.probability`."""
+
+    seconds: float
+    runs: int | None
+    jobs: int | None
+    progress: Progress | None
 
 
 def _never() -> bool:

@@ -92,7 +92,7 @@ class RunJudge:
     """
 
     def __init__(self, question: PropertyText, spec: RunSpec) -> None:
-        self._run = run = _with_time(spec, question).simulation()
+        self._run = run = with_time_of(question, spec).simulation()
         run.keep_beginning()
         self.robots = len(run.members)
         self.tick_ms = run.tick_ms
@@ -116,7 +116,7 @@ class RunJudge:
         return RunAnswer(seed, is_broken == self._property.is_reversed, tick, run.sentence)
 
 
-def _with_time(spec: RunSpec, question: PropertyText) -> RunSpec:
+def with_time_of(question: PropertyText, spec: RunSpec) -> RunSpec:
     """The runs with the time that the question sets, or needs so that a deadline in it can pass."""
     if question.within_s is not None:
         return replace(spec, seconds=question.within_s)

@@ -5,10 +5,10 @@ Left to others: how a judge comes to it (mission_judges, record_monitor, recordi
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from typing import Any
+from typing import Any, TypedDict
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.text.phrases import listed
@@ -36,6 +36,19 @@ class JudgeAnswer(StrEnum):
 
 class JudgeError(KitRobotError):
     """A question to judges that makes no sense."""
+
+
+class JudgeLimits(TypedDict, total=False):
+    """What limits the judges of `judge`."""
+
+    seed: int
+    seconds: float
+    fail_rate: float
+    runs: int
+    moments: int
+    check_seconds: float
+    timings: Sequence[str]
+    jobs: int | None
 
 
 @dataclass(frozen=True, slots=True)

@@ -33,6 +33,7 @@ export const EXPERIMENT_EN = {
   "experiment.break-off": "Break off",
   "experiment.resume": "Go on",
   "experiment.csv": "Table (CSV)",
+  "experiment.next": "Another study",
   "experiment.study": "Studies of {path}",
   "experiment.measure": "What is shown",
   "experiment.over": "Over which number",

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
+from copy import deepcopy
 from dataclasses import replace
 
 from kitrobot.mission.model import Team
@@ -269,3 +270,9 @@ class _ConditionMonitor:
         if not automaton.is_broken_by_end() or (automaton.deadline is not None and outcome == "time"):
             return False
         return waited_long_enough(outcome, self._run.tick, automaton.waits_since)
+
+    def memory(self) -> PropertyAutomaton:
+        return deepcopy(self._automaton)
+
+    def remember(self, memory: PropertyAutomaton) -> None:
+        self._automaton = deepcopy(memory)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Protocol
+from copy import deepcopy
+from typing import Any, Protocol
 
 from kitrobot.sim.physics.docks import carrier_in
 from kitrobot.sim.simulation import Simulation
@@ -32,20 +33,34 @@ class RunMonitor(Protocol):
     def at_end(self, outcome: str) -> bool:
         """Whether the run broke it if it ends here with this outcome."""
 
+    def memory(self) -> Any:
+        """What it remembers of the run so far, as a copy."""
+
+    def remember(self, memory: Any) -> None:
+        """Goes back to what `memory` gave, as the run goes back to its state then."""
+
 
 class _InvariantMonitor:
-    """Reports a violation when a condition holds once."""
+    """Reports a violation when a condition holds once; `own` are the lists in which the condition remembers."""
 
     is_kept = False
 
-    def __init__(self, test: Callable[[], bool]) -> None:
+    def __init__(self, test: Callable[[], bool], *own: list[Any]) -> None:
         self._test = test
+        self._own = own
 
     def after_step(self) -> bool:
         return self._test()
 
     def at_end(self, outcome: str) -> bool:
         return False
+
+    def memory(self) -> Any:
+        return deepcopy(self._own)
+
+    def remember(self, memory: Any) -> None:
+        for mine, kept in zip(self._own, deepcopy(memory), strict=True):
+            mine[:] = kept
 
 
 class _WaitMonitor:
@@ -71,6 +86,12 @@ class _WaitMonitor:
     def at_end(self, outcome: str) -> bool:
         is_in_vain = self._since >= 0 and outcome in self._outcomes
         return is_in_vain and waited_long_enough(outcome, self._run.tick, self._since)
+
+    def memory(self) -> Any:
+        return self._since
+
+    def remember(self, memory: Any) -> None:
+        self._since = memory
 
 
 def waited_long_enough(outcome: str, tick: int, since: int) -> bool:
@@ -143,4 +164,4 @@ def loose_action_monitor(run: Simulation) -> RunMonitor:
             found = found or (loose[i] > 0 and agent.ended and run.state.robots.ints[c.DOWN][i] != c.FAILED)
         return found
 
-    return _InvariantMonitor(goes_on)
+    return _InvariantMonitor(goes_on, before, loose)

@@ -161,6 +161,15 @@ class RunObserver:
         has_said_why = self._property.spares_teams and gave_up(self._run.state.team)
         return outcome in self._property.ends_as and not has_said_why
 
+    def memory(self) -> Any:
+        """What its monitor remembers of the run so far."""
+        return self._monitor.memory() if self._monitor is not None else None
+
+    def remember(self, memory: Any) -> None:
+        """Goes back to what `memory` gave."""
+        if self._monitor is not None:
+            self._monitor.remember(memory)
+
 
 def judge_run(
     one: Property, run: Simulation, faults: Sequence[InjectedFault], stop: Callable[[], bool]

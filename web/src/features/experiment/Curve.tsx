@@ -8,9 +8,11 @@ import { curveOf, type Dot, nearest, walkDots } from "./chart";
 import { cellWords, figure, measureWords, pointWords, valueWords } from "./figures";
 import { choosePoint, isSmall, playRow, useStudy } from "./study-work";
 
-const HEIGHT = 220;
-const FRAME = { left: 56, top: 10, bottom: HEIGHT - 40 };
-const RIGHT = 16;
+const [LEAST_HEIGHT, MOST_HEIGHT] = [220, 320];
+/** Its height, of its width. */
+const SHAPE = 0.42;
+const FRAME = { left: 56, top: 10 };
+const [RIGHT, BELOW] = [16, 40];
 /** How far from a dot a press still means it. */
 const REACH = 16;
 
@@ -26,10 +28,16 @@ export function Curve({ study, axis, measure, joined }: Props) {
   const [box, width] = useWidth<HTMLDivElement>(560);
   const runs = useStudy((state) => state.runs);
   const chosen = useStudy((state) => state.point);
+  const height = Math.round(Math.min(MOST_HEIGHT, Math.max(LEAST_HEIGHT, SHAPE * width)));
   const curve = useMemo(
     () =>
-      curveOf(study, { axis, measure, runs: isSmall(study) ? runs : [], frame: { ...FRAME, right: width - RIGHT } }),
-    [study, axis, measure, runs, width],
+      curveOf(study, {
+        axis,
+        measure,
+        runs: isSmall(study) ? runs : [],
+        frame: { ...FRAME, right: width - RIGHT, bottom: height - BELOW },
+      }),
+    [study, axis, measure, runs, width, height],
   );
   const [at, setAt] = useState(0);
   const svg = useRef<SVGSVGElement>(null);
@@ -63,7 +71,7 @@ export function Curve({ study, axis, measure, joined }: Props) {
         ref={svg}
         className="experiment-curve"
         width={width}
-        height={HEIGHT}
+        height={height}
         role="group"
         aria-label={t("experiment.curve", { measure: name, address })}
         data-testid="experiment-curve"
@@ -80,14 +88,14 @@ export function Curve({ study, axis, measure, joined }: Props) {
             </g>
           ))}
           {curve.xs.map(({ at: x, value }) => (
-            <text key={value} className="experiment-mark small-text figures" x={x} y={HEIGHT - 22} textAnchor="middle">
+            <text key={value} className="experiment-mark small-text figures" x={x} y={height - 22} textAnchor="middle">
               {valueWords(value)}
             </text>
           ))}
           <text
             className="experiment-mark small-text figures"
             x={(FRAME.left + width - RIGHT) / 2}
-            y={HEIGHT - 4}
+            y={height - 4}
             textAnchor="middle"
           >
             {address}

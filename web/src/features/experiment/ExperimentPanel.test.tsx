@@ -1,5 +1,5 @@
 import { act } from "react";
-import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { afterEach, beforeEach, describe, expect, it, type Mock, vi } from "vitest";
 
 import type { ExperimentChoices, Study, StudyRun } from "../../api/generated";
 import { setTransport, transport } from "../../api/transport";
@@ -93,6 +93,8 @@ async function settle(): Promise<void> {
   });
 }
 
+/** What is scrolled to, which jsdom cannot. */
+let shown: Mock<Element["scrollIntoView"]>;
 beforeEach(async () => {
   await speak("en");
   await moreWords();
@@ -112,6 +114,8 @@ beforeEach(async () => {
   useStudy.setState(useStudy.getInitialState(), true);
   useVaried.setState({ axes: [] });
   changeSetup({ seeds: "1-2", measures: ["seconds"], own: "", seconds: "60" });
+  shown = vi.fn<Element["scrollIntoView"]>();
+  Element.prototype.scrollIntoView = shown;
   page = mount(<ExperimentPanel />);
   hands = handsOn(page);
 });
@@ -209,6 +213,15 @@ describe("a study", () => {
     expect(textOf("experiment-done")).toBe("4 of 4 runs");
     expect(hands.has("experiment-resume")).toBe(false);
     expect(page.place.textContent).toContain("kitrobot sweep carry-study --resume");
+  });
+
+  it("has the room of the whole panel, with the next study below it, which is shown to whoever marks a number", async () => {
+    await withStudy();
+    const [results, setup] = page.place.querySelector(".experiment-body")?.children ?? [];
+    expect([results?.className, setup?.className]).toEqual(["experiment-results column", "experiment-setup column"]);
+    hands.click("experiment-next");
+    page.act(() => vary(SPEED));
+    expect(shown.mock.contexts).toEqual([setup, setup]);
   });
 
   it("has points that keys walk to, and shows the runs of the one that is chosen", async () => {

@@ -1,5 +1,5 @@
 /** A study as it is: its picture, the runs of the chosen point, its numbers as a table, and what can be done with it. */
-import { useState } from "react";
+import { type ReactNode, useState } from "react";
 
 import type { Study } from "../../api/generated";
 import { decimal, grouped } from "../../i18n/numbers";
@@ -15,7 +15,8 @@ import { RunStrip } from "./RunStrip";
 import { StudyMaps } from "./StudyMaps";
 import { downloadTable, openStudy, resume, useStudy } from "./study-work";
 
-export function Results({ study }: { study: Study }) {
+/** `children` stand behind what can be done with it. */
+export function Results({ study, children }: { study: Study; children: ReactNode }) {
   const busy = useStudy((state) => state.busy !== null);
   const [wanted, setMeasure] = useState("");
   const measure = Math.max(0, study.measures.indexOf(wanted));
@@ -30,22 +31,17 @@ export function Results({ study }: { study: Study }) {
           options={study.measures.map((name) => [name, measureWords(name)] as const)}
           keep={setMeasure}
         />
-        <span className="muted" data-testid="experiment-done">
-          {t("experiment.progress", { done: grouped(study.done), total: grouped(study.total) })}
-        </span>
+        {busy ? null : (
+          <span className="muted" data-testid="experiment-done">
+            {t("experiment.progress", { done: grouped(study.done), total: grouped(study.total) })}
+          </span>
+        )}
         {study.done < study.total && !busy ? (
           <Button icon="play" testId="experiment-resume" onClick={resume}>
             {t("experiment.resume")}
           </Button>
         ) : null}
-        <Button
-          icon="download"
-          testId="experiment-csv"
-          disabled={study.done === 0}
-          onClick={() => void downloadTable()}
-        >
-          {t("experiment.csv")}
-        </Button>
+        {children}
       </div>
       {study.done === 0 ? (
         <p className="prose muted">{t("experiment.no-runs")}</p>
@@ -54,6 +50,11 @@ export function Results({ study }: { study: Study }) {
           <StudyPicture study={study} measure={measure} />
           <RunStrip study={study} measure={measure} />
           <ResultTable study={study} />
+          <div className="row">
+            <Button icon="download" testId="experiment-csv" onClick={() => void downloadTable()}>
+              {t("experiment.csv")}
+            </Button>
+          </div>
         </>
       )}
       <Command text={study.command} />

@@ -29,7 +29,7 @@ function runWords(study: Study, run: StudyRun, measure: number): string {
 }
 
 export function RunStrip({ study, measure }: { study: Study; measure: number }) {
-  const [box, width] = useWidth<HTMLDivElement>(560);
+  const [box, width] = useWidth<HTMLElement>(560);
   const runs = useStudy((state) => state.runs);
   const number = useStudy((state) => state.point);
   const played = useStudy((state) => state.played);
@@ -58,13 +58,13 @@ export function RunStrip({ study, measure }: { study: Study; measure: number }) 
   const current = dots[at]?.run ?? own[0];
   const words = pointWords(study, point);
   return (
-    <section className="column slim gap-m" aria-label={t("experiment.runs")}>
+    <section className="column slim gap-m" aria-label={t("experiment.runs")} ref={box}>
       <p className="prose">
         <strong>{t("experiment.runs")}</strong> {words === "" ? null : <bdi dir="ltr">{words}</bdi>}{" "}
         <span className="muted small-text">{t(handKey("experiment.how"))}</span>
       </p>
       {dots.length === 0 ? null : (
-        <div className="experiment-picture slim" ref={box} dir="ltr">
+        <div className="experiment-picture slim" dir="ltr">
           <svg
             ref={svg}
             width={width}
