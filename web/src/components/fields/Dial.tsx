@@ -61,7 +61,14 @@ export function Dial(props: ControlProps) {
         width={SIZE}
         height={SIZE}
         viewBox="-62 -62 124 124"
-        {...sliderProps(props, drag, false)}
+        {...sliderProps(props, false)}
+        onPointerDown={(event) => {
+          event.currentTarget.setPointerCapture(event.pointerId);
+          drag(event);
+        }}
+        onPointerMove={(event) => {
+          if (event.currentTarget.hasPointerCapture(event.pointerId)) drag(event);
+        }}
       >
         <circle className="dial-face" r={R} />
         {Array.from({ length: 24 }, (_, tick) => (

@@ -27,7 +27,17 @@ export function Ruler({ sensor, ...props }: ControlProps & { sensor: RobotObject
     set(within(Math.round(min + (mirrored() ? 1 - from : from) * (max - min)), field));
   };
   return (
-    <span className="field-ruler column relative" {...sliderProps(props, drag, mirrored())}>
+    <span
+      className="field-ruler column relative"
+      {...sliderProps(props, mirrored())}
+      onPointerDown={(event) => {
+        event.currentTarget.setPointerCapture(event.pointerId);
+        drag(event);
+      }}
+      onPointerMove={(event) => {
+        if (event.currentTarget.hasPointerCapture(event.pointerId)) drag(event);
+      }}
+    >
       <span className="ruler-scale relative" ref={scale}>
         <span className="ruler-share" style={{ inlineSize: share(value) }} />
         {now === undefined ? null : (

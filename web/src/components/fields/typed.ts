@@ -1,5 +1,5 @@
 /** The number that typed words mean: "90", "90°", "1,5 s", "heart"; and the number a key leads to. */
-import type { KeyboardEvent, PointerEvent } from "react";
+import type { KeyboardEvent } from "react";
 
 import { plainDigits, readNumber } from "../../i18n/numbers";
 import { inWords, unitOf } from "../../model/meaning";
@@ -41,15 +41,8 @@ export function isRounded(typed: string, value: number, field: Field): boolean {
   return amount !== null && Math.abs(value * field.scale - amount) > 1e-6;
 }
 
-/**
- * What makes a drawing a slider that keys and a pointer move. `drag`: the pointer is down there; `isMirrored`: the right arrow
- * leads to less.
- */
-export function sliderProps(
-  { field, value, label, set, leave, onFocus }: ControlProps,
-  drag: (event: PointerEvent) => void,
-  isMirrored: boolean,
-) {
+/** What makes a drawing a slider that keys move. `isMirrored`: the right arrow leads to less. */
+export function sliderProps({ field, value, label, set, leave, onFocus }: ControlProps, isMirrored: boolean) {
   return {
     role: "slider",
     tabIndex: 0,
@@ -65,13 +58,6 @@ export function sliderProps(
       if (next === null) return;
       event.preventDefault();
       set(next);
-    },
-    onPointerDown: (event: PointerEvent) => {
-      event.currentTarget.setPointerCapture(event.pointerId);
-      drag(event);
-    },
-    onPointerMove: (event: PointerEvent) => {
-      if (event.currentTarget.hasPointerCapture(event.pointerId)) drag(event);
     },
   };
 }
