@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from kitrobot.primitives.robot import Category
 from kitrobot.sim.devices.chance import Chance
-from kitrobot.sim.setup.chance_keys import put_chance_keys
 from kitrobot.sim.setup.settings import simulated_devices
 from kitrobot.sim.simulation import Simulation
 
@@ -21,7 +20,7 @@ def branch_run(run: Simulation, snapshot: bytes, seed: int) -> None:
         SimulationError: the bytes are damaged, or of another run; then nothing was changed.
     """
     run.restore(snapshot)
-    put_chance_keys(run.state, run.members, run._sensors, seed)
+    run._chance.put(run.state, seed)
 
 
 def lasting_draws(run: Simulation) -> list[tuple[str, str]]:

@@ -26,7 +26,7 @@ export function DockPanel({ id, testId, title, close, tools, children }: DockPan
 
 export function DockHead({ title, close, tools }: Pick<DockPanelProps, "title" | "close" | "tools">) {
   return (
-    <header className="dock-head rigid between aligned panel-head">
+    <header className="rigid between aligned panel-head">
       <h2 className="panel-title">{title}</h2>
       {tools}
       <Tool small icon="x" label={close} titled={false} onClick={closeDock} />
