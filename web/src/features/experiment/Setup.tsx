@@ -46,7 +46,7 @@ export function Setup() {
   if (choices.measures.length === 0) return <p className="prose muted">{t("experiment.errors")}</p>;
   return (
     <form
-      className="column slim gap-m"
+      className="experiment-form column slim gap-m"
       onSubmit={(event) => {
         event.preventDefault();
         if (asked !== null && plan !== null) begin(asked);
