@@ -126,7 +126,7 @@ class _Translation:
         """The instructions of a node: behind them it has ended with success, or its failure is of no interest."""
         with self.level():
             if is_condition(node):
-                return [_asked_only(self.condition(node), failure)]
+                return [_bare_condition(self.condition(node), failure)]
             if node.name in SEQUENCES:
                 return self.sequence(_flat(node, SEQUENCES), failure)
             if node.name in FALLBACKS:
@@ -183,7 +183,7 @@ class _Translation:
         if is_condition(first):
             asked = _leading(nodes)
             if len(asked) == len(nodes):
-                return [_asked_only(self.joined(asked, Or), failure)]
+                return [_bare_condition(self.joined(asked, Or), failure)]
             with self.level():
                 then = self.fallback(nodes[len(asked) :], failure)
             return [Conditional(_negated(self.joined(asked, Or)), Seq(then))]
@@ -295,7 +295,7 @@ class _Translation:
         return 0
 
 
-def _asked_only(asked: Condition, failure: _Failure) -> Conditional:
+def _bare_condition(asked: Condition, failure: _Failure) -> Conditional:
     """A question behind which nothing is done but what its failure leads to."""
     if failure is _Failure.BREAK:
         return Conditional(_negated(asked), Seq([Break()]))

@@ -43,6 +43,7 @@ from kitrobot.cli.log import show_log
 from kitrobot.cli.maze import give_maze
 from kitrobot.cli.merge import merge_missions_of_files
 from kitrobot.cli.output import (
+    INTERRUPTED,
     OutputClosedError,
     failure_json,
     print_data,
@@ -72,7 +73,6 @@ from kitrobot.text.sentences import Sentence
 DEBUG_VARIABLE = "KITROBOT_DEBUG"
 COMPLETION_VARIABLE = "_KITROBOT_COMPLETE"
 INTERNAL_ERROR: Final = 70
-INTERRUPTED: Final = 130
 OUTPUT_CLOSED: Final = 141
 TERMINATED: Final = 143
 FAILED: Final = 1

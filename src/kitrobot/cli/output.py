@@ -13,7 +13,7 @@ import re
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from typing import Any, ClassVar, TextIO
+from typing import Any, ClassVar, Final, TextIO
 
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Place, Source
 from kitrobot.text.sentences import Sentence
@@ -23,6 +23,9 @@ _CONTROL_CHARACTERS = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u202a-\u202e\u206
 
 _LONE_SURROGATE = re.compile("[\ud800-\udfff]")
 
+
+INTERRUPTED: Final = 130
+"""The status of a command that Ctrl-C ended."""
 
 _CHUNK_LENGTH = 4096
 """Characters in one write."""

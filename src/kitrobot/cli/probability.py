@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from kitrobot.cli.options import Jobs, MissionFile, ResultAsJson
-from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_message
+from kitrobot.cli.output import INTERRUPTED, json_text, print_data, print_diagnostics, print_message
 from kitrobot.cli.progress import counted_progress
-from kitrobot.cli.rare_probability import INTERRUPTED, split_runs
+from kitrobot.cli.rare_probability import split_runs
 from kitrobot.cli.run import FailRate, check_run_numbers
 
 if TYPE_CHECKING:

@@ -7,14 +7,13 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from kitrobot.cli.output import json_text, print_data, print_message
+from kitrobot.cli.output import INTERRUPTED, json_text, print_data, print_message
 from kitrobot.cli.progress import counted_progress
 
 if TYPE_CHECKING:
     from kitrobot.experiments.rare_probability import RareProbability
     from kitrobot.workspace.mission_run import PreparedRun
 
-INTERRUPTED = 130
 UNKNOWN = 3
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from kitrobot.cli.output import json_text, print_data, print_message
+from kitrobot.cli.output import INTERRUPTED, json_text, print_data, print_message
 from kitrobot.cli.progress import counted_progress
 
 if TYPE_CHECKING:
@@ -21,7 +21,6 @@ MISSION = ".krt"
 MOMENTS, MOMENTS_OF_PAIRS = 100, 20
 """At how many moments agents fail, when nothing is said: one at a time, and two."""
 MOST_REASONS = 10
-INTERRUPTED = 130
 
 
 def with_values(arguments: Sequence[str]) -> list[str]:

@@ -25,7 +25,7 @@ from kitrobot.cli.agent import (
     prepare_team_run,
 )
 from kitrobot.cli.options import WATCH_HELP, MissionFile, ResultAsJson, RunSeconds
-from kitrobot.cli.output import json_text, print_data, print_diagnostics
+from kitrobot.cli.output import INTERRUPTED, json_text, print_data, print_diagnostics
 from kitrobot.cli.run import watched_properties
 from kitrobot.diagnostics.read_files import note_read
 from kitrobot.text.sentences import Sentence
@@ -144,7 +144,7 @@ def _run_to_end(prepared: PreparedRun, plan: FleetPlan, watched: list[str], stop
         run = run_fleet(simulation, plan, agents, callbacks)
     _print_result(simulation, run, watch.judgements() if watch is not None else [], as_json)
     if pressed.is_set() and run.outcome == "stopped":
-        raise typer.Exit(130)
+        raise typer.Exit(INTERRUPTED)
     if run.outcome != "done" or (watch is not None and watch.broken):
         raise typer.Exit(1)
 

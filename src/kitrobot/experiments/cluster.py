@@ -26,7 +26,7 @@ from kitrobot.experiments.addresses import ExperimentError
 from kitrobot.experiments.executor import MOST_DEATHS, Work, died_row
 from kitrobot.experiments.plan import PLAN_FILE, Plan, read_plan
 from kitrobot.experiments.point_runner import Pace, PointRunner, Stop
-from kitrobot.experiments.study_folder import expect_same_version
+from kitrobot.experiments.study_folder import expect_same_version, other_version
 from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.child_processes import cores
 
@@ -144,7 +144,7 @@ class _Batches:
             self._questions.remove(question)
             if question.status == "finished":
                 if question.result() != self._work.plan.version:
-                    raise _unfit(str(_other_version(self._work.plan, question.result())))
+                    raise _unfit(str(other_version(self._work.plan, question.result())))
                 self._is_ready = True
             elif question.status == "error":
                 error = question.exception()
@@ -201,10 +201,6 @@ def _unfit(reason: str) -> ExperimentError:
         Sentence("a worker of the cluster cannot make a run: {reason}", reason),
         Sentence("install the same version of KitRobot on all workers"),
     )
-
-
-def _other_version(plan: Plan, found: str) -> Sentence:
-    return Sentence("this study was begun with KitRobot {version}, this is {ours}", plan.version, found)
 
 
 def _gone() -> ExperimentError:

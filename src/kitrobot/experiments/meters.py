@@ -139,7 +139,6 @@ class ConditionMeter:
 
     def __init__(self, kind: str, condition: AgentCondition, run: Simulation) -> None:
         self._kind, self._condition, self._run = kind, condition, run
-        self._tick_s = run.tick_ms / 1000
         self.ints: list[IntPlace] = []
         known: dict[tuple[int, str], _Answers] = {}
         self._tests: list[tuple[_Answers, slice]] = []
@@ -152,10 +151,9 @@ class ConditionMeter:
             self.ints += [(OF_CELLS, agent, cell) for cell in cells]
         self._sets_from = len(self.ints)
         if condition.sets:
-            self._groups = len(run.state.team.groups)
-            robots = range(len(run.members))
+            robots, groups = range(len(run.members)), range(len(run.state.team.groups))
             self.ints += [(OF_TEAM_ROBOTS, T_ROLE, i) for i in robots]
-            self.ints += [(OF_TEAM_GROUPS, group, i) for group in range(self._groups) for i in robots]
+            self.ints += [(OF_TEAM_GROUPS, group, i) for group in groups for i in robots]
         self._verdicts = _Answers(self._decide)
         self.begin()
 

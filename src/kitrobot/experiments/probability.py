@@ -202,6 +202,16 @@ class _Counts:
         return self.complete or self.runs == self.most_runs
 
 
+def check_jobs(jobs: int | None) -> None:
+    """Refuses a number of processes that runs cannot be shared out over; None is one for each core.
+
+    Raises:
+        ProbabilityError: it is not 1 to `MOST_JOBS`.
+    """
+    if jobs is not None and not 1 <= jobs <= MOST_JOBS:
+        raise ProbabilityError(Sentence("runs are shared out over 1 to {most} processes", MOST_JOBS))
+
+
 def find_probability(
     prepared: PreparedRun,
     question: str,
@@ -219,8 +229,7 @@ def find_probability(
         PoolError: a process died.
     """
     began = time.perf_counter()
-    if options.jobs is not None and not 1 <= options.jobs <= MOST_JOBS:
-        raise ProbabilityError(Sentence("runs are shared out over 1 to {most} processes", MOST_JOBS))
+    check_jobs(options.jobs)
     if options.most_runs is not None and options.most_runs < 1:
         raise StatisticsError(Sentence("there is no run to count"), Sentence("let at least one run end"))
     asked, spec = read_property(question), prepared.spec

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.experiments.probability import Progress, check_jobs
 from kitrobot.experiments.run_question import RunProperty, find_run_property, with_time_of
 from kitrobot.experiments.statistics.branch_estimate import (
     MOST_LEVELS,
@@ -38,7 +39,7 @@ from kitrobot.text.phrases import one_of
 from kitrobot.text.sentences import Sentence
 from kitrobot.text.suggestions import did_you_mean
 from kitrobot.verifier.report.replay import RunObserver
-from kitrobot.workspace.child_processes import MOST_JOBS, cores
+from kitrobot.workspace.child_processes import cores
 from kitrobot.workspace.mission_run import PreparedRun
 from kitrobot.workspace.task_pool import run_tasks
 
@@ -54,9 +55,6 @@ LEVELS: Final[dict[str, Callable[[Simulation], int]]] = {
     "collisions": lambda run: run.collisions,
 }
 """What can be counted on the way, by name: boxes brought, robots that have failed, beginnings of contacts."""
-
-Progress = Callable[[int, int | None], None]
-"""Told how many repetitions are over, and how many there are."""
 
 
 class SplittingError(KitRobotError):
@@ -196,7 +194,7 @@ def find_rare_probability(
     Raises:
         QuestionError, PropertyError: the question cannot be understood, or the mission has no such property.
         SplittingError: runs cannot be split at this count, or it has no levels.
-        StatisticsError: a number of the options makes no sense.
+        StatisticsError, ProbabilityError: a number of the options makes no sense.
         PoolError: a process died.
     """
     began = time.perf_counter()
@@ -246,8 +244,7 @@ def _check(options: SplittingOptions) -> None:
             Sentence("runs are split at {known}, not at `{counts}`", one_of(LEVELS), options.counts),
             did_you_mean(options.counts, LEVELS),
         )
-    if options.jobs is not None and not 1 <= options.jobs <= MOST_JOBS:
-        raise SplittingError(Sentence("runs are shared out over 1 to {most} processes", MOST_JOBS))
+    check_jobs(options.jobs)
     if options.repetitions < 2:
         raise SplittingError(Sentence("an interval needs 2 repetitions at least"))
     plan_effort(options.branches, 1, options.repetitions)

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from kitrobot.mission.property_forms import Form, is_ready
-from kitrobot.mission.property_text import PropertyText, QuestionError
+from kitrobot.mission.property_text import PropertyText, QuestionError, words_within
 from kitrobot.sim.run_spec import RunSpec
 from kitrobot.sim.setup.limits import MAX_SECONDS
 from kitrobot.sim.simulation import Simulation
@@ -74,9 +74,7 @@ def find_run_property(question: PropertyText, run: Simulation) -> RunProperty:
     else:
         ready = find_ready_property(question.name, run)
         found = RunProperty(ready, ready.sentence)
-    if question.within_s is None:
-        return found
-    return replace(found, words=Sentence("{question}, within {seconds} s", found.words, f"{question.within_s:g}"))
+    return replace(found, words=words_within(found.words, question.within_s))
 
 
 class RunJudge:

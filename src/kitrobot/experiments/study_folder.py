@@ -74,11 +74,14 @@ def expect_same_version(plan: Plan) -> None:
     """
     if plan.version != kitrobot.__version__:
         raise ExperimentError(
-            Sentence(
-                "this study was begun with KitRobot {version}, this is {ours}", plan.version, kitrobot.__version__
-            ),
+            other_version(plan, kitrobot.__version__),
             Sentence("go on with that version, or begin it anew in another folder"),
         )
+
+
+def other_version(plan: Plan, found: str) -> Sentence:
+    """What is said where another version is found than that of a study."""
+    return Sentence("this study was begun with KitRobot {version}, this is {ours}", plan.version, found)
 
 
 def row_files(folder: Path) -> list[Path]:

@@ -34,6 +34,10 @@ class JudgeAnswer(StrEnum):
     NOT_DECIDED = "not decided"
 
 
+TIME_UP_EARLY = Sentence("the time of the run was up before the deadline")
+"""Why a run says nothing of a question about a later moment."""
+
+
 class JudgeError(KitRobotError):
     """A question to judges that makes no sense."""
 

@@ -10,10 +10,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from typing import Protocol
 
-from kitrobot.judges.judgement import Judge, JudgeAnswer, Judgement
+from kitrobot.judges.judgement import TIME_UP_EARLY, Judge, JudgeAnswer, Judgement
 from kitrobot.judges.recorded_events import breaks_ready_property
 from kitrobot.mission.property_forms import AskedProperty, Form
-from kitrobot.mission.property_text import PropertyText
+from kitrobot.mission.property_text import PropertyText, words_within
 from kitrobot.text.sentences import Sentence
 from kitrobot.trace.model import TraceEvent, TraceHeader
 from kitrobot.verifier.properties.conditions import AgentCondition
@@ -25,7 +25,6 @@ _SURE_IN_GAPS = (Form.NEVER, Form.AT_MOST)
 """The forms that stay broken whatever happened in ticks that are missing."""
 _ROUNDING = 1e-9
 """Of a tick: seconds are decimal numbers."""
-_EARLY = Sentence("the time of the run was up before the deadline")
 
 
 @dataclass
@@ -133,7 +132,7 @@ class ConditionCase:
     def judgement(self, span: RecordedSpan) -> Judgement:
         """What is said of it, of what is recorded so far."""
         asked, automaton = self.asked, self.automaton
-        words = _with_time(asked.words, self.within_s)
+        words = words_within(asked.words, self.within_s)
         names = tuple(span.header.agents[i].name for i in self.agents)
         made = replace(span.undecided(self.question, words, Sentence("")), agents=names)
         if self.unknown:
@@ -163,7 +162,7 @@ class ConditionCase:
             reason = Sentence("the recording ends, and what is waited for since {seconds} s may still come", since)
             return replace(made, reason=reason)
         if outcome == "time" and automaton.deadline is not None:
-            return replace(made, reason=_EARLY)
+            return replace(made, reason=TIME_UP_EARLY)
         if not waited_long_enough(outcome, last, automaton.waits_since):
             reason = Sentence("the time of the run was up, and it waited only since {seconds} s", since)
             return replace(made, reason=reason)
@@ -191,11 +190,11 @@ class OutcomeCase:
     def judgement(self, span: RecordedSpan) -> Judgement:
         """What is said of it, of what is recorded so far."""
         text = self.text
-        words = _with_time(Sentence("a run ends with the outcome {outcome}", text.name), text.within_s)
+        words = words_within(Sentence("a run ends with the outcome {outcome}", text.name), text.within_s)
         made = span.undecided(text.text, words, Sentence(""))
         last, outcome = span.end_within(text.within_s)
         if span.is_early(text.within_s):
-            return replace(made, reason=_EARLY)
+            return replace(made, reason=TIME_UP_EARLY)
         if outcome is None:
             return replace(made, reason=Sentence("the recording ends before the run does"))
         reason = Sentence("the run ended at {seconds} s with the outcome {outcome}", span.moment(last), outcome)
@@ -225,7 +224,7 @@ class ReadyCase:
     def judgement(self, span: RecordedSpan) -> Judgement:
         """What is said of it, of what is recorded so far."""
         one, within_s = self.property, self.text.within_s
-        made = span.undecided(self.text.text, _with_time(one.sentence, within_s), Sentence(""))
+        made = span.undecided(self.text.text, words_within(one.sentence, within_s), Sentence(""))
         last, outcome = span.end_within(within_s)
         if one.monitor is not None and (outcome in one.ends_as or not one.ends_as):
             reason = Sentence("a recording does not hold what this is decided by; ask a run")
@@ -241,15 +240,10 @@ class ReadyCase:
         if outcome is None:
             return replace(made, reason=Sentence("the recording ends before the run does"))
         if span.is_early(within_s) and outcome in one.ends_as:
-            return replace(made, reason=_EARLY)
+            return replace(made, reason=TIME_UP_EARLY)
         if outcome == "failed" and one.spares_teams and span.header.plan is not None:
             return replace(made, reason=Sentence("the recording does not say whether the team gave up"))
         reason = Sentence("the run ended at {seconds} s with the outcome {outcome}", span.moment(last), outcome)
         if outcome in one.ends_as:
             return replace(made, ruling=JudgeAnswer.BROKEN, reason=reason, tick=last)
         return replace(made, ruling=JudgeAnswer.KEPT, reason=reason)
-
-
-def _with_time(words: Sentence, within_s: float | None) -> Sentence:
-    """What is demanded, with the time that the question sets."""
-    return words if within_s is None else Sentence("{question}, within {seconds} s", words, f"{within_s:g}")

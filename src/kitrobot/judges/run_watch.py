@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from kitrobot.experiments.run_question import RunProperty, find_run_property
-from kitrobot.judges.judgement import Judge, JudgeAnswer, Judgement, break_text
+from kitrobot.judges.judgement import TIME_UP_EARLY, Judge, JudgeAnswer, Judgement, break_text
 from kitrobot.mission.property_text import read_question
 from kitrobot.sim.event_text import Event
 from kitrobot.sim.simulation import Simulation
@@ -91,7 +91,7 @@ class RunWatch:
         run = self._run
         reason = Sentence("the run goes on")
         if self._is_early(one):
-            reason = Sentence("the time of the run was up before the deadline")
+            reason = TIME_UP_EARLY
         made = Judgement(
             Judge.RUN,
             subject,

@@ -51,6 +51,11 @@ class QuestionError(KitRobotError):
     """A question that no run can answer."""
 
 
+def words_within(words: Sentence, within_s: float | None) -> Sentence:
+    """What is demanded, with the time that a question sets; None for none."""
+    return words if within_s is None else Sentence("{question}, within {seconds} s", words, f"{within_s:g}")
+
+
 @dataclass(frozen=True, slots=True)
 class PropertyText:
     """What a line of text asks for.

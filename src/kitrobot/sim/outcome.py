@@ -153,7 +153,7 @@ def describe_stuck(goals: Goals, agents: Sequence[Agent], missing: Sequence[str]
 
 def _unfinished(agents: Sequence[Agent]) -> str:
     """How many programs go on."""
-    running = len(agents) - len(_having(ENDED, agents))
+    running = len(agents) - len(_agents_with(ENDED, agents))
     if len(agents) == 1:
         return Recorded("the program had not ended")
     return Recorded.counted(
@@ -188,19 +188,19 @@ def _driving(agents: Sequence[Agent]) -> str:
 
 def _left(agents: Sequence[Agent]) -> str:
     """Who is beyond the edge of the world; "" for nobody."""
-    names = [agent.name for agent in _having(LEFT, agents) if agent.is_outside]
+    names = [agent.name for agent in _agents_with(LEFT, agents) if agent.is_outside]
     return Recorded("{names} left the world, which has no wall there", list_names(names)) if names else ""
 
 
 def _lost_boxes(agents: Sequence[Agent]) -> str:
     """Whose boxes are lost; "" for nobody's."""
-    names = [agent.name for agent in _having(ORIGIN, agents) if agent.lost_its_box]
+    names = [agent.name for agent in _agents_with(ORIGIN, agents) if agent.lost_its_box]
     if len(names) == 1:
         return Recorded("the box of {name} is lost", names[0])
     return Recorded("the boxes of {names} are lost", list_names(names)) if names else ""
 
 
-def _having(column: int, agents: Sequence[Agent]) -> list[Agent]:
+def _agents_with(column: int, agents: Sequence[Agent]) -> list[Agent]:
     """Those of whom a number of `robots.ints` is not 0: of most columns nobody, which is looked up at once."""
     row = numbers(agents[0].state.robots.ints[column]) if agents else []
     return [agent for agent in agents if row[agent.index]] if any(row) else []
@@ -209,7 +209,7 @@ def _having(column: int, agents: Sequence[Agent]) -> list[Agent]:
 def _not_well(agents: Sequence[Agent]) -> Sequence[Agent]:
     """All of whom a fault could be told: nobody where nothing befell anybody."""
     silent = numbers(agents[0].state.team.robots[T_SILENT]) if agents else []
-    has_fault = _having(DOWN, agents) or _having(MUTED, agents) or any(since >= 0 for since in silent)
+    has_fault = _agents_with(DOWN, agents) or _agents_with(MUTED, agents) or any(since >= 0 for since in silent)
     return agents if has_fault else ()
 
 

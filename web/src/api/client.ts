@@ -87,11 +87,11 @@ async function answer(address: string, asked: Asked): Promise<Response> {
   const mine = token();
   const response = await request(address, asked);
   if (response.ok) return response;
-  const told = refusal(response, unknownToken);
-  if (response.status !== REFUSED) throw await told;
+  const failure = refusal(response, unknownToken);
+  if (response.status !== REFUSED) throw await failure;
   await renewToken();
   // Another request may have got the new token meanwhile.
-  if (token() === mine) throw await told;
+  if (token() === mine) throw await failure;
   const again = await request(address, asked);
   if (!again.ok) throw await refusal(again, unknownToken);
   return again;

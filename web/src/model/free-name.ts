@@ -7,6 +7,11 @@ export function firstFree(name: (number: number) => string, isTaken: (name: stri
   return name(number);
 }
 
+/** The stem, or else `stem-2`, `stem-3`, …: the first that is not taken. */
+export function freeStem(stem: string, isTaken: (name: string) => boolean): string {
+  return firstFree((number) => (number === 1 ? stem : `${stem}-${String(number)}`), isTaken);
+}
+
 /** `stem-1`, `stem-2`, …: the first that is not taken. */
 export function freeName(stem: string, taken: readonly string[]): string {
   return firstFree(

@@ -5,7 +5,7 @@ import { addProgram, emptyProgram, moveProgram, removeProgram } from "../model/c
 import { freeName } from "../model/free-name";
 import { execute, useStudio } from "../model/studio";
 import type { Mission, Program, World } from "../model/types";
-import { dismissBanner, note, useDocument, whenReady } from "./document";
+import { bannerAction, note, useDocument, whenReady } from "./document";
 import { isLive, useRun, watchedAgent } from "./run";
 import { closeTeam, openTeam } from "./team-view";
 import { whenFollowed } from "./typing";
@@ -74,20 +74,13 @@ export function addProgramWithAgent(program: Program): boolean {
   if (!execute(command)) return false;
   setActiveProgram(name);
   if (useStudio.getState().mission.agents.some((agent) => agent.program === name)) return true;
-  const choice = (label: string, act: () => void) => ({
-    label,
-    run: () => {
-      dismissBanner();
-      act();
-    },
-  });
   const fits = mission.programs.some((one) => one.name === activeProgram && one.robot === program.robot);
   const agent = fits ? mission.agents.find((one) => one.program === activeProgram) : undefined;
   note(t("team.no-free-start", { name }), "", [
     ...(agent === undefined
       ? []
-      : [choice(t("team.let-run", { agent: agent.name, name }), () => void letRun(agent.name, name))]),
-    choice(t("team.open"), openTeam),
+      : [bannerAction(t("team.let-run", { agent: agent.name, name }), () => void letRun(agent.name, name))]),
+    bannerAction(t("team.open"), openTeam),
   ]);
   return false;
 }

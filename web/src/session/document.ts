@@ -8,7 +8,7 @@ import { create } from "zustand";
 import type { Session } from "../api/generated";
 import { whyRefused } from "../api/refusal";
 import { type Key, sentence, t } from "../i18n/words";
-import { firstFree } from "../model/free-name";
+import { freeStem } from "../model/free-name";
 import { useStudio } from "../model/studio";
 import { typedName } from "../model/typed-name";
 import type { Problem } from "../model/types";
@@ -76,6 +76,17 @@ export function dismissBanner(): void {
 
 export function putBanner(banner: Banner): void {
   set({ banner });
+}
+
+/** What can be done about a banner, which goes away with it. */
+export function bannerAction(label: string, act: () => void): BannerAction {
+  return {
+    label,
+    run: () => {
+      dismissBanner();
+      act();
+    },
+  };
 }
 
 /** Says something, with what can be done about it. */
@@ -167,10 +178,7 @@ export function asMissionPath(text: string): string {
 export function freeMissionName(typed: string, taken: readonly string[]): string {
   const stem = asMissionPath(typed).replace(/\.krt$/i, "");
   const used = new Set(taken.map((name) => name.toLowerCase()));
-  return firstFree(
-    (number) => (number === 1 ? stem : `${stem}-${String(number)}`),
-    (name) => used.has(`${name}.krt`.toLowerCase()),
-  );
+  return freeStem(stem, (name) => used.has(`${name}.krt`.toLowerCase()));
 }
 
 /** A file's name without its folders. */

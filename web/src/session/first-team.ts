@@ -3,7 +3,7 @@ import { ask } from "../api/client";
 import { moreWords, t } from "../i18n/words";
 import { commandTo } from "../model/command";
 import { addProgram, emptyProgram } from "../model/commands/changePrograms";
-import { firstFree } from "../model/free-name";
+import { freeStem } from "../model/free-name";
 import { execute, useStudio } from "../model/studio";
 import { TEAM_ROBOT } from "../model/team-robot";
 import type { Mission } from "../model/types";
@@ -36,6 +36,6 @@ export async function addGroupProgram(): Promise<void> {
   const { mission, setActiveProgram } = useStudio.getState();
   const stem = t("first-team.group-name");
   const isTaken = (name: string) => mission.programs.some((one) => one.name === name);
-  const name = firstFree((number) => (number === 1 ? stem : `${stem}-${String(number)}`), isTaken);
+  const name = freeStem(stem, isTaken);
   if (execute(addProgram(mission, emptyProgram(name, TEAM_ROBOT, "group")))) setActiveProgram(name);
 }

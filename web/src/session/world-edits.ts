@@ -17,7 +17,7 @@ import { moved, startMoved } from "../model/world/moving";
 import { nameOf } from "../model/world/names";
 import { type Kind, partOf, type Thing } from "../model/world/thing";
 import { added, withDependents } from "../model/world/things";
-import { dismissBanner, note, reportError } from "./document";
+import { bannerAction, note, reportError } from "./document";
 import { choose, chosenIn, ownWorld, say, startWith, useWorld } from "./world-view";
 
 /** The mission's world becomes `world`, as one step. */
@@ -145,11 +145,8 @@ export async function saveWorldFile(name: string): Promise<string> {
     const text = await partsApi.worldText({ ...world, name: stem });
     const bytes = new TextEncoder().encode(text).buffer;
     const { file } = await partsApi.add(path, `${stem}.world.xml`, bytes);
-    const use = () => {
-      dismissBanner();
-      execute(changeWorld(useStudio.getState().mission, file));
-    };
-    note(t("world.file-saved", { file }), "", [{ label: t("world.file-use"), run: use }]);
+    const use = () => execute(changeWorld(useStudio.getState().mission, file));
+    note(t("world.file-saved", { file }), "", [bannerAction(t("world.file-use"), use)]);
     return "";
   } catch (cause) {
     return whyRefused(cause).message;
@@ -202,9 +199,6 @@ export function keepMoved(plan: OwnWorld, world: OwnWorld, label: string, joins?
 /** Does what copies the world of a file into the mission, and says so. */
 function bring(plan: OwnWorld, command: Command): void {
   execute(command);
-  const back = () => {
-    dismissBanner();
-    useStudio.getState().undo();
-  };
-  note(t("world.brought", { name: plan.name }), "", [{ label: t("world.undo"), run: back }]);
+  const undo = bannerAction(t("world.undo"), () => useStudio.getState().undo());
+  note(t("world.brought", { name: plan.name }), "", [undo]);
 }

@@ -133,7 +133,7 @@ def service_monitor(run: Simulation, name: str, docks: Sequence[int]) -> RunMoni
     """Monitors whether a carrier stands in one of these docks up to the end of a run that is stuck or out of time."""
     robot = [agent.name for agent in run.members].index(name)
 
-    def stands() -> bool:
+    def is_in_dock() -> bool:
         state = run.state
         ints = state.robots.ints
         return (
@@ -142,7 +142,7 @@ def service_monitor(run: Simulation, name: str, docks: Sequence[int]) -> RunMoni
             and any(carrier_in(dock, state.robots, state.roads, state.docks) == robot for dock in docks)
         )
 
-    return _WaitMonitor(run, stands, ENDS_IN_VAIN)
+    return _WaitMonitor(run, is_in_dock, ENDS_IN_VAIN)
 
 
 def loose_action_monitor(run: Simulation) -> RunMonitor:

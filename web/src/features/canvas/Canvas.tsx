@@ -134,7 +134,7 @@ function Graph({ drawing }: { drawing: Drawing }) {
       {minimap ? <Minimap layout={layout} /> : null}
       <Marquee root={root} />
       {navigator.maxTouchPoints > 0 ? <Pinch root={root} /> : null}
-      <Said />
+      <CanvasMessage />
       {menu ? <ContextMenu /> : null}
       <Ghost />
       <ActiveVertices program={drawing.program.name} />
@@ -202,7 +202,7 @@ function Ghost() {
 }
 
 /** What the canvas has to say about the last thing that was tried: a sentence, gone at the next change. */
-function Said() {
+function CanvasMessage() {
   const said = useView((state) => state.said);
   useEffect(
     () =>

@@ -9,7 +9,7 @@ import { download } from "../../ui/download";
 
 /** Compiles it anew, so that what is kept is what is drawn; says it when there are errors. */
 async function make<Made>(
-  ask: (mission: Mission, path: string, program: string) => Promise<Made>,
+  request: (mission: Mission, path: string, program: string) => Promise<Made>,
   keep: (name: string, made: Made) => void,
 ): Promise<void> {
   const state = useStudio.getState();
@@ -25,7 +25,7 @@ async function make<Made>(
     return;
   }
   try {
-    keep(name, await ask(mission, file.path, name));
+    keep(name, await request(mission, file.path, name));
   } catch (cause) {
     reportError(cause);
   }

@@ -10,13 +10,13 @@ import { partsApi } from "../../api/parts";
 import { type Failure, whyRefused } from "../../api/refusal";
 import { type Key, listed, t } from "../../i18n/words";
 import { changeWorld, sameWorld } from "../../model/commands/changeWorld";
-import { useStudio } from "../../model/studio";
+import { execute, useStudio } from "../../model/studio";
 import { addProgramFor } from "../../session/actions";
 import { openDock } from "../../session/dock";
 import {
   type Banner,
   type BannerAction,
-  dismissBanner,
+  bannerAction,
   note,
   putBanner,
   question,
@@ -141,24 +141,16 @@ function wordsFor({ file, kind, names, known }: PartsFile): string {
 function nextFor({ file, kind, names }: PartsFile): BannerAction[] {
   const { mission } = useStudio.getState();
   const [name] = names;
-  const action = (label: string, run: () => void) => ({
-    label,
-    run: () => {
-      dismissBanner();
-      run();
-    },
-  });
   if (name === undefined) {
-    return [action(t("parts.see-problems"), () => openDock(PROBLEMS))];
+    return [bannerAction(t("parts.see-problems"), () => openDock(PROBLEMS))];
   }
   if (kind === "robot" && !mission.programs.some((program) => program.robot === name)) {
-    return [action(t("parts.write-program"), () => addProgramFor(name))];
+    return [bannerAction(t("parts.write-program"), () => addProgramFor(name))];
   }
   if (kind === "world" && !sameWorld(mission.world, file)) {
     return [
-      action(t("parts.use-world"), () => {
-        const command = changeWorld(useStudio.getState().mission, file);
-        if (command !== null) useStudio.getState().execute(command);
+      bannerAction(t("parts.use-world"), () => {
+        execute(changeWorld(useStudio.getState().mission, file));
         openTeam();
       }),
     ];
