@@ -3,12 +3,14 @@
 python tools/thorough_tests.py            write it
 python tools/thorough_tests.py --check    only say whether it is current; status 1 if it is not
 
-Each `@pytest.mark.thorough("...")` names the test of the usual profile that holds the fact, as its only argument.
+Each `@pytest.mark.thorough("...")` names the test of the usual profile that holds the fact, as its only argument. A
+test of the page that it names has to be there.
 """
 
 from __future__ import annotations
 
 import ast
+import re
 import sys
 from collections.abc import Iterator
 from itertools import groupby
@@ -18,6 +20,7 @@ from typing import NamedTuple
 ROOT = Path(__file__).resolve().parents[1]
 TESTS = ROOT / "tests"
 PAGE = ROOT / "docs" / "thorough-tests.md"
+PAGE_TEST = re.compile(r"web/src/[\w/.-]+\.test\.tsx?")
 
 HEAD = """# Tests of the thorough profile
 
@@ -47,6 +50,9 @@ def _marks(node: ast.AST) -> Iterator[str]:
     for call in calls:
         match call.args:
             case [ast.Constant(value=str(text))] if text.strip():
+                for name in PAGE_TEST.findall(text):
+                    if not (ROOT / name).exists():
+                        raise ValueError(f"line {call.lineno}: there is no {name}")
                 yield text
             case _:
                 raise ValueError(f"line {call.lineno}: `thorough` takes one sentence: what holds the fact usually")

@@ -35,7 +35,7 @@ export default defineConfig([
       "src/features/export/**",
       "src/features/arena/stage/**",
       "src/features/canvas/{active.ts,Badges.tsx,Lines.tsx}",
-      "src/features/robots/shown.ts",
+      "src/features/robots/board-run.ts",
       "src/features/run/speed.ts",
       "src/ui/folding.ts",
       "src/**/*.test.{ts,tsx}",

@@ -33,3 +33,9 @@ def test_marks_are_found_at_files_tests_and_cases() -> None:
 def test_a_mark_that_says_nothing_is_told_with_its_place(mark: str) -> None:
     with pytest.raises(ValueError, match=r"test_c\.py, line 2: `thorough`"):
         find_skipped_tests(f"import pytest\n@{mark}\ndef test_c(): ...", "tests/a/test_c.py")
+
+
+def test_a_test_of_the_page_that_is_not_there_is_told_with_its_place() -> None:
+    mark = "@pytest.mark.thorough('web/src/features/none.test.tsx')\ndef test_c(): ..."
+    with pytest.raises(ValueError, match=r"test_c\.py, line 1: there is no web/src/features/none\.test\.tsx"):
+        find_skipped_tests(mark, "tests/a/test_c.py")

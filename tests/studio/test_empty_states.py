@@ -43,7 +43,7 @@ def a_new_program_says_what_to_do_in_each_panel(studio: Studio) -> None:
 
 
 @pytest.mark.thorough(
-    "web/src/features/canvas/EmptyTeaching.test.tsx, features/arena/EmptyArena.test.tsx, "
+    "web/src/features/canvas/FirstSteps.test.tsx, features/arena/EmptyArena.test.tsx, "
     "features/problems/ProblemList.test.tsx and features/inspector/Inspector.test.tsx"
 )
 def test_an_arena_without_robots_or_world_and_a_new_program_say_what_to_do_in_each_panel(

@@ -55,7 +55,7 @@ def test_the_whole_program_stays_in_view_when_the_window_is_another_one(open_stu
     expect(studio.at("arena-large")).to_be_in_viewport(ratio=1)
 
 
-@pytest.mark.thorough("web/src/features/palette/RobotButton.test.tsx; web/src/model/commands/changeRobot.test.ts")
+@pytest.mark.thorough("web/src/features/palette/Palette.test.tsx; web/src/model/commands/changeRobot.test.ts")
 def test_the_robot_is_changed_above_its_parts_and_undo_gives_back_the_one_before(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt")
     studio.at("palette-robot").click()

@@ -183,7 +183,7 @@ def programs_are_walked_moved_renamed_and_removed(studio: Studio) -> None:
 
 
 @pytest.mark.thorough(
-    "web/src/features/canvas/editing.test.tsx: by keys alone; features/new-mission/choosing.test.ts: the pictures; "
+    "web/src/features/canvas/editing.test.tsx: by keys alone; features/new-mission/choice.test.ts: the pictures; "
     "test_first_minutes.py begins with keys"
 )
 def test_a_program_is_drawn_without_a_mouse(open_studio: OpenStudio) -> None:

@@ -48,7 +48,7 @@ def two_keys_lead_from_nothing_to_a_square_that_is_driven(studio: Studio) -> Non
     assert list(studio.folder.iterdir()) == []
 
 
-@pytest.mark.thorough("web/src/features/new-mission/choosing.test.ts")
+@pytest.mark.thorough("web/src/features/new-mission/choice.test.ts")
 def test_what_does_not_fit_gives_way_and_says_so_and_escape_keeps_what_was_open(open_studio: OpenStudio) -> None:
     studio = open_studio("blink/blink.krt")
     code = studio.code()

@@ -32,7 +32,7 @@ def let_fail(studio: Studio, robot: str) -> None:
 
 @pytest.mark.thorough(
     "tests/server/test_tutorials.py: a team's program is held against a tutorial; "
-    "web/src/features/tutorial/watching.test.ts: a member waits; by hand: test_first_steps_draw_a_square…"
+    "web/src/features/tutorial/step-watch.test.ts: a member waits; by hand: test_first_steps_draw_a_square…"
 )
 def test_together_step_by_step(open_studio: OpenStudio) -> None:
     studio = open_studio(BLINK)
@@ -63,7 +63,7 @@ def test_together_step_by_step(open_studio: OpenStudio) -> None:
 
 @pytest.mark.thorough(
     "tests/server/test_tutorials.py: the rule of a group and the spare robots are held against a tutorial; "
-    "web/src/features/tutorial/watching.test.ts: one that failed, was replaced, was dropped; state.test.ts: "
+    "web/src/features/tutorial/step-watch.test.ts: one that failed, was replaced, was dropped; state.test.ts: "
     "skipped and back; by hand: test_failure_lab.py"
 )
 def test_when_one_fails(open_studio: OpenStudio) -> None:

@@ -165,14 +165,14 @@ def _trap(one: _TrapRow) -> DrawingFinding:
 def _idle(mission: Mission, name: str, vertices: tuple[str, ...], known: set[tuple[str, str]]) -> list[DrawingFinding]:
     program = mission.program(name)
     order = [vertex.id for vertex in program.vertices] if program is not None else []
-    told = tuple(one for one in order if one in vertices and (name, one) not in known)
-    if not told:
+    unreached = tuple(one for one in order if one in vertices and (name, one) not in known)
+    if not unreached:
         return []
     message = Sentence.counted(
-        "{count} part of `{program}` never runs", "{count} parts of `{program}` never run", len(told), name
+        "{count} part of `{program}` never runs", "{count} parts of `{program}` never run", len(unreached), name
     )
     help = Sentence("no order of events leads there, as long as no robot fails")
-    return [DrawingFinding(NEVER_REACHED(message, help=help, program=name, vertices=told))]
+    return [DrawingFinding(NEVER_REACHED(message, help=help, program=name, vertices=unreached))]
 
 
 def _serve_exploration(spec: RunSpec, seed: int, explore_s: float | None, out: Connection) -> None:

@@ -57,7 +57,7 @@ class ClassAskShape(BaseModel):
     name: Name
 
 
-class ClassAskedShape(BaseModel):
+class AdmissionRequestShape(BaseModel):
     """The name of a question to the teacher."""
 
     asked: Code

@@ -79,7 +79,7 @@ def make_site(
     files |= first
     files[FIRMWARE_ARCHIVE] = firmware_archive()
     files["index.html"] = _index(index.read_text(encoding="utf-8"))
-    told = {
+    manifest = {
         "kitrobot": __version__,
         "version": version,
         "pyodide": "pyodide/",
@@ -89,7 +89,7 @@ def make_site(
         "files": python,
         "page": sorted(name for name in files if name.startswith("assets/")),
     }
-    files["site.json"] = json.dumps(told, indent=1, sort_keys=True).encode()
+    files["site.json"] = json.dumps(manifest, indent=1, sort_keys=True).encode()
     files["service-worker.js"] = _service_worker(files)
     for name, data in files.items():
         path = folder / name
@@ -107,9 +107,9 @@ def expect_site(folder: Path) -> None:
     shown = str(folder)
     help = Sentence("write one with `kitrobot site {folder}`", shown)
     try:
-        told = json.loads((folder / "site.json").read_bytes())
-        version = str(told["kitrobot"])
-        sizes = {str(name): size for name, size in told["files"].items()}
+        manifest = json.loads((folder / "site.json").read_bytes())
+        version = str(manifest["kitrobot"])
+        sizes = {str(name): size for name, size in manifest["files"].items()}
     except (OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError):
         raise SiteError(Sentence("there is no site of KitRobot in the folder `{folder}`", shown), help) from None
     if version != __version__:

@@ -50,7 +50,7 @@ class InPageServer:
     async def fetch(self, method: str, address: str, headers: Mapping[str, str], body: bytes = b"") -> PageResponse:
         """Asks: `address` is a path with its query. Whatever breaks is an answer too."""
         scope = self._scope("http", address, headers) | {"method": method, "scheme": "http"}
-        status, told, pieces = 500, (), bytearray()  # type: tuple[int, tuple[tuple[str, str], ...], bytearray]
+        status, sent, pieces = 500, (), bytearray()  # type: tuple[int, tuple[tuple[str, str], ...], bytearray]
         asked = [{"type": "http.request", "body": body, "more_body": False}]
 
         async def receive() -> Message:
@@ -60,15 +60,15 @@ class InPageServer:
             return await asyncio.get_running_loop().create_future()  # type: ignore[no-any-return]
 
         async def send(message: Message) -> None:
-            nonlocal status, told
+            nonlocal status, sent
             if message["type"] == "http.response.start":
                 status = message["status"]
-                told = tuple((name.decode("latin-1"), value.decode("latin-1")) for name, value in message["headers"])
+                sent = tuple((name.decode("latin-1"), value.decode("latin-1")) for name, value in message["headers"])
             else:
                 pieces.extend(message.get("body", b""))
 
         await self._app(scope, receive, send)
-        return PageResponse(status, told, bytes(pieces))
+        return PageResponse(status, sent, bytes(pieces))
 
     def open(self, address: str, handler: MessageHandler) -> Socket:
         """Opens a socket; `address` as for `fetch`."""

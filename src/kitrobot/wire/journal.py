@@ -48,7 +48,7 @@ class JournalSizeShape(BaseModel):
     bytes: int
 
 
-class LeftShape(View):
+class OrphanedJournalShape(View):
     """Unsaved work that was left behind; `problem` is why it cannot be opened, "" where it can."""
 
     journal: str

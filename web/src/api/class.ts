@@ -5,7 +5,7 @@
 import { t } from "../i18n/words";
 import type { Mission } from "../model/types";
 import { socketAddress } from "./address";
-import { ApiError, type Asked, refusal, request } from "./client";
+import { ApiError, type RequestOptions, refusal, request } from "./client";
 import type * as server from "./generated";
 import { type Silence, watchSilence } from "./silence";
 
@@ -15,13 +15,13 @@ export type Gradebook = (typeof GRADEBOOKS)[number];
 
 const unreached = () => new ApiError(t("class.offline"), t("class.offline-help"));
 
-async function answer(path: string, asked: Asked = {}): Promise<Response> {
+async function answer(path: string, asked: RequestOptions = {}): Promise<Response> {
   const response = await request(`class${path}`, asked, (address, options) => fetch(address, options), unreached);
   if (!response.ok) throw await refusal(response);
   return response;
 }
 
-async function ask<T>(path: string, asked: Asked = {}): Promise<T> {
+async function ask<T>(path: string, asked: RequestOptions = {}): Promise<T> {
   return (await (await answer(path, asked)).json()) as T;
 }
 
@@ -30,14 +30,14 @@ async function bytes(path: string): Promise<{ bytes: ArrayBuffer; revision: stri
   return { bytes: await response.arrayBuffer(), revision: (response.headers.get("etag") ?? "").replaceAll('"', "") };
 }
 
-const post = (json: unknown): Asked => ({ method: "POST", json });
+const post = (json: unknown): RequestOptions => ({ method: "POST", json });
 const chosen = (folders: readonly string[] | null) =>
   folders === null ? "" : `?${folders.map((one) => `folder=${encodeURIComponent(one)}`).join("&")}`;
 
 export const classApi = {
   about: () => ask<server.Class>(""),
   join: (code: string, name: string, word: string) => ask<server.Joined>("/join", post({ code, name, word })),
-  ask: (code: string, name: string) => ask<server.ClassAsked>("/ask", post({ code, name })),
+  ask: (code: string, name: string) => ask<server.AdmissionRequest>("/ask", post({ code, name })),
   asked: (asked: string) => ask<server.ClassAnswered>("/asked", post({ asked })),
 
   handIn: (name: string, base: string, mission: Mission) =>

@@ -40,7 +40,7 @@ export class ApiError extends Error {
   }
 }
 
-export interface Asked {
+export interface RequestOptions {
   method?: "GET" | "POST" | "PUT";
   json?: unknown;
   bytes?: ArrayBuffer;
@@ -71,7 +71,7 @@ function unknownToken(status: number): ApiError | null {
 }
 
 /** One request; the answer is what the caller says it is. */
-export async function ask<T>(address: string, asked: Asked = {}): Promise<T> {
+export async function ask<T>(address: string, asked: RequestOptions = {}): Promise<T> {
   return (await (await answer(address, asked)).json()) as T;
 }
 
@@ -83,7 +83,7 @@ export async function askBytes(address: string): Promise<Uint8Array<ArrayBuffer>
 const REFUSED = 403;
 
 /** One request; where it is refused because the studio started anew, once more with the token of that. */
-async function answer(address: string, asked: Asked): Promise<Response> {
+async function answer(address: string, asked: RequestOptions): Promise<Response> {
   const mine = token();
   const response = await request(address, asked);
   if (response.ok) return response;
@@ -102,7 +102,7 @@ const offline = () => new ApiError(t("error.offline"), t("error.offline-help"));
 /** Sends a request: to the studio, or `through` the network to another server, about which `unreached` speaks. */
 export async function request(
   address: string,
-  { method = "GET", json, bytes, signal }: Asked,
+  { method = "GET", json, bytes, signal }: RequestOptions,
   through: (address: string, asked: RequestInit) => Promise<Response> = transport().fetch,
   unreached = offline,
 ): Promise<Response> {
@@ -130,7 +130,11 @@ export function problemsIn(report: Report | null, program: string): Problem[] {
 }
 
 /** `after` with the very things of `before` where both say the same; `before` itself where all of them do. */
-function reused<Thing>(before: Thing[], after: Thing[], value: (one: Thing) => unknown): Thing[] {
+function reused<PartReference>(
+  before: PartReference[],
+  after: PartReference[],
+  value: (one: PartReference) => unknown,
+): PartReference[] {
   const known = new Map(before.map((one) => [JSON.stringify(value(one)), one]));
   const found = after.map((one) => known.get(JSON.stringify(value(one))) ?? one);
   return found.length === before.length && found.every((one, at) => one === before[at]) ? before : found;

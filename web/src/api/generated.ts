@@ -16,6 +16,9 @@ export type Address = { address: string; current: string; expected: string; exam
 /** The constructor, and its slot, that a branch adds itself to. */
 export type Adds = { constructor: string; slot: string };
 
+/** The name of a question to the teacher. */
+export type AdmissionRequest = { asked: string };
+
 /**
  * A member of the team and the program it runs. It starts at the world's start `start`, or the one of its name. `robot`
  * is its kind where its program is one of the level social, which speaks of all kinds.
@@ -344,9 +347,6 @@ export interface ClassArena {
   poses: [number, number, number][];
   way: [number, number][];
 }
-
-/** The name of a question to the teacher. */
-export type ClassAsked = { asked: string };
 
 /** Somebody asks to be let in as that pupil. */
 export type ClassAsking = { asked: string; folder: string; name: string };
@@ -722,9 +722,6 @@ export type KitFit = { kit: string; missing: Lacking[]; problem: string };
 /** A part of a robot that a kit lacks; its label is by language. */
 export type Lacking = { part: string; label: Record<string, string> };
 
-/** Unsaved work that was left behind; `problem` is why it cannot be opened, "" where it can. */
-export type Left = { journal: string; path: string; name: string; modified: string; problem: string };
-
 /** Of whom a program speaks. What a level can say the ones behind it can say too. */
 export type Level = "agent" | "group" | "social";
 
@@ -902,6 +899,9 @@ export type OfferAnswer = { offered: Offered | null; refused: RequestFailure | n
 
 /** What a selection offers; `problems` are in it while nothing is left open. */
 export type Offered = { role: Role; vertices: string[]; offers: Offer[]; problems: Problem[] };
+
+/** Unsaved work that was left behind; `problem` is why it cannot be opened, "" where it can. */
+export type OrphanedJournal = { journal: string; path: string; name: string; modified: string; problem: string };
 
 /** A run that keeps a property from the deciding step on: see `kitrobot.checking.run_explanation.OtherWay`. */
 export type OtherWay = { events: CheckedEvent[]; ends_well: boolean; scenes: Scene[] };

@@ -1,7 +1,7 @@
 /** Routes of the journal: records are texts that the server does not read. */
 import type { Mission } from "../model/types";
 import { ask } from "./client";
-import type { ClaimedJournal, Difference, JournalSize, Left, Merged } from "./generated";
+import type { ClaimedJournal, Difference, JournalSize, OrphanedJournal, Merged } from "./generated";
 
 const post = <T>(address: string, json: unknown) => ask<T>(address, { method: "POST", json });
 
@@ -11,8 +11,8 @@ export const journalApi = {
     ask<JournalSize>("journal", { method: "PUT", json: { tab, path, name, records, unsaved } }),
   append: (tab: string, first: number, records: string[], unsaved: boolean) =>
     post<JournalSize>("journal", { tab, first, records, unsaved }),
-  left: () => ask<Left[]>("journal/left"),
-  forget: (journal: string) => post<Left[]>("journal/forget", { journal }),
+  left: () => ask<OrphanedJournal[]>("journal/left"),
+  forget: (journal: string) => post<OrphanedJournal[]>("journal/forget", { journal }),
   merge: (path: string, base: Mission, mission: Mission, taken: readonly string[]) =>
     post<Merged>("mission/merge", { path, base, mission, taken }),
   difference: (path: string, mission: Mission) => post<Difference>("mission/difference", { path, mission }),

@@ -27,7 +27,7 @@ import { useView } from "../session/view";
 import { keepWorld } from "../session/world-files";
 import { endAll, listen } from "../ui/effects";
 import { Banner } from "./Banner";
-import { begin } from "./beginning";
+import { begin } from "./startup";
 import { FEATURES } from "./features";
 import { useKeys } from "./keys";
 import { MenuBar } from "./MenuBar";

@@ -17,12 +17,12 @@ import { Sheet } from "../ui/Sheet";
 import { useFetched } from "../ui/use-fetched";
 
 /** What was asked to be merged: a later edit is not in it. */
-interface Asked {
+interface MergeRequest {
   base: Mission;
   mission: Mission;
 }
 
-function apply({ revision, mission, theirs }: Merged, asked: Asked): void {
+function apply({ revision, mission, theirs }: Merged, asked: MergeRequest): void {
   const studio = useStudio.getState();
   if (studio.mission !== asked.mission) {
     // It was edited meanwhile: what was merged is not what there is now.
@@ -91,11 +91,11 @@ function MissionDifference() {
     return journalApi.difference(file.path, mission).then((found) => found.changes);
   }, []);
   const changes = useFetched(ask, (cause) => [whyRefused(cause).message]);
-  const [merging, setMerging] = useState<{ asked: Asked; merged: Merged; waits: boolean } | null>(null);
+  const [merging, setMerging] = useState<{ asked: MergeRequest; merged: Merged; waits: boolean } | null>(null);
   /** Which request is the last one: an answer to an earlier choice is too late. */
   const last = useRef(0);
 
-  const merge = (asked: Asked, taken: readonly string[], first: boolean) => {
+  const merge = (asked: MergeRequest, taken: readonly string[], first: boolean) => {
     const number = ++last.current;
     journalApi.merge(useStudio.getState().file.path, asked.base, asked.mission, taken).then((merged) => {
       if (number !== last.current) return;

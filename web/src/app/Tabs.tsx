@@ -28,7 +28,7 @@ import { later } from "../ui/later";
 import { tabAfter } from "../ui/TabList";
 import { AddProgram } from "./AddProgram";
 import { FEATURES } from "./features";
-import { renameInTab, useRenaming } from "./renaming";
+import { renameInTab, useRenaming } from "./tab-rename";
 
 const TABS = FEATURES.flatMap(({ tab }) => tab ?? []);
 

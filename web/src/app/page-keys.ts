@@ -5,7 +5,7 @@ import { show } from "../session/document";
 import { STOP_KEY, stopEverything } from "../session/features";
 import type { PageKey } from "../session/key-table";
 import { save } from "../session/saving";
-import { renameInTab } from "./renaming";
+import { renameInTab } from "./tab-rename";
 
 export const KEYS = {
   stop: { ...STOP_KEY, run: stopEverything },

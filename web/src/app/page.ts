@@ -17,7 +17,7 @@ import { languageEntries, SPOKEN, themeEntries, THEMES } from "../ui/look-entrie
 import { menuCheck, type MenuEntry, menuItem } from "../ui/menu-model";
 import { robotEntries } from "./AddProgram";
 import { KEYS } from "./page-keys";
-import { renameInTab } from "./renaming";
+import { renameInTab } from "./tab-rename";
 import type * as sheetsModule from "./Sheets";
 
 function fileEntries({ activeProgram, report }: StudioState): MenuEntries {

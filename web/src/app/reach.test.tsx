@@ -14,7 +14,7 @@ import { MenuBar } from "./MenuBar";
 import { useMenus } from "./menus";
 import { ShortcutsSheet } from "./Shortcuts";
 import { Tabs } from "./Tabs";
-import { useRenaming } from "./renaming";
+import { useRenaming } from "./tab-rename";
 
 function Menus() {
   return <MenuBar menus={useMenus()} />;

@@ -1,5 +1,5 @@
 /** Which parts of its robot a program names. */
-import { ownConstructors } from "./own";
+import { ownConstructors } from "./own-parts";
 import type { Mission } from "./types";
 
 /** Whether a program names a part: in a vertex, in a number of one, or in a constructor that the mission brings along. */

@@ -10,7 +10,7 @@ import { create } from "zustand";
 import type { Command } from "./command";
 import { OWN_WORLD } from "./commands/changeWorld";
 import { type Change, follow, type History, historyOf, isUnsaved, type StepDetails } from "./history";
-import { catalogueOf } from "./own";
+import { catalogueOf } from "./own-parts";
 import { teamKey } from "./team-robot";
 import type { Catalogue, Mission, MissionFile, Program, Report, World } from "./types";
 

@@ -11,7 +11,7 @@ import { api } from "../api/client";
 import { type Language, languageInUse } from "../i18n/words";
 import { useStudio } from "../model/studio";
 import type { Mission, Report } from "../model/types";
-import { acceptReport, forgetReport, isChecked } from "./checked";
+import { acceptReport, forgetReport, isChecked } from "./report";
 import { dismissBanner, reportError, useDocument } from "./document";
 
 /** A question that takes longer than this is called off when there is a newer one. */

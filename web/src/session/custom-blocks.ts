@@ -2,7 +2,7 @@
 import { create } from "zustand";
 
 import { removeConstructor, usesOfConstructor } from "../model/commands/changeOwn";
-import { OWN_GROUP, ownConstructors } from "../model/own";
+import { OWN_GROUP, ownConstructors } from "../model/own-parts";
 import type { Shape } from "../model/parts";
 import { execute, useStudio } from "../model/studio";
 import { currentDrawing } from "./drawing";

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 
-import { begin } from "../app/beginning";
+import { begin } from "../app/startup";
 import { api } from "../api/client";
 import type { Saved } from "../api/generated";
 import { emptyProgram } from "../model/commands/changePrograms";

@@ -6,7 +6,7 @@
 import { isUnsaved } from "../model/history";
 import { useStudio } from "../model/studio";
 import type { MissionFile } from "../model/types";
-import { parseStored, readStored, writeStored } from "../ui/stored";
+import { parseStored, readStored, writeStored } from "../ui/browser-storage";
 import { useDocument, whenReady } from "./document";
 import { flush, isKept } from "./journal";
 import { type Recovered, recordsOf, recover } from "./journal-records";

@@ -7,7 +7,7 @@ import { create } from "zustand";
 
 import type { KitEntry } from "../api/generated";
 import type { Robot, RobotObject } from "../model/types";
-import { parseStored, readStored, writeStored } from "../ui/stored";
+import { parseStored, readStored, writeStored } from "../ui/browser-storage";
 
 export type BuiltKit = Pick<KitEntry, "name" | "label" | "absent">;
 

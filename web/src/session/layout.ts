@@ -5,7 +5,7 @@
  * inspector is as tall as its content until somebody gives it a height.
  */
 import { create } from "zustand";
-import { parseStored, readStored, writeStored } from "../ui/stored";
+import { parseStored, readStored, writeStored } from "../ui/browser-storage";
 
 export type Panel = "palette" | "inspector" | "code" | "arena";
 export type Edge = "palette" | "side" | "inspector" | "code";

@@ -1,7 +1,7 @@
 /** A lesson of the path to learn, and where one stands on it, as pure functions. */
 import type { TeacherPage } from "../api/generated";
 import type { Problem, Texts } from "../model/types";
-import { parseStored } from "../ui/stored";
+import { parseStored } from "../ui/browser-storage";
 
 export type LessonKind = "tutorial" | "exercise";
 

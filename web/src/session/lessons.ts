@@ -6,7 +6,7 @@ import { create } from "zustand";
 
 import { features } from "./features";
 import { inOrder, type Lesson, type LessonKind, nextLesson, readLearned } from "./lesson";
-import { readStored, writeStored } from "../ui/stored";
+import { readStored, writeStored } from "../ui/browser-storage";
 
 const KEY = "kitrobot.learned";
 

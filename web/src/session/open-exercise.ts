@@ -1,6 +1,6 @@
 /** Which exercise is open in this browser, and as which mission, kept over a reload; and how far its goals are. */
 import { create } from "zustand";
-import { parseStored, readStored, writeStored } from "../ui/stored";
+import { parseStored, readStored, writeStored } from "../ui/browser-storage";
 
 const KEY = "kitrobot.exercise";
 

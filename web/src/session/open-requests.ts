@@ -2,7 +2,7 @@
 import { create } from "zustand";
 
 import { api, ApiError } from "../api/client";
-import type { Left } from "../api/generated";
+import type { OrphanedJournal } from "../api/generated";
 import { journalApi } from "../api/journal";
 import { traceApi } from "../api/traces";
 import { type Key, t } from "../i18n/words";
@@ -80,7 +80,7 @@ export function openLeft(journal: string): void {
 }
 
 /** Says that work on a new mission was left behind, which no file's name leads to, or work that cannot be opened here. */
-export function offerLeft(left: readonly Left[]): void {
+export function offerLeft(left: readonly OrphanedJournal[]): void {
   const first = left.find(({ path, problem }) => path === "" && problem === "");
   const said = first ?? left.find(({ problem }) => problem !== "");
   if (said === undefined || useDocument.getState().banner !== null) return;

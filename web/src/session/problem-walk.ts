@@ -9,7 +9,7 @@ import { create } from "zustand";
 
 import { useStudio } from "../model/studio";
 import type { Problem, Report } from "../model/types";
-import { thingNamed } from "../model/world/thing";
+import { thingNamed } from "../model/world/part-reference";
 import { reveal } from "./actions";
 import { openDock } from "./dock";
 import { useDocument } from "./document";

@@ -12,7 +12,7 @@ import { useStudio } from "../model/studio";
 import { TEAM_ROBOT } from "../model/team-robot";
 import type { Mission } from "../model/types";
 import { note, useDocument } from "./document";
-import { writeStored } from "../ui/stored";
+import { writeStored } from "../ui/browser-storage";
 
 /**
  * `seed`: where chance begins. `ticks`: numbers of ticks, and steps by one. `places`: coordinates, lines of LLL, names of parts

@@ -8,7 +8,7 @@
 import { create } from "zustand";
 
 import { useStudio } from "../model/studio";
-import { readStored, writeStored } from "../ui/stored";
+import { readStored, writeStored } from "../ui/browser-storage";
 
 interface Stage {
   large: boolean;

@@ -8,7 +8,7 @@ import { replaceProgram } from "../model/command";
 import { useStudio } from "../model/studio";
 import { CARRIER, missionOf } from "../model/testing/missions";
 import type { Problem, Program } from "../model/types";
-import { isChecked } from "./checked";
+import { isChecked } from "./report";
 import { connectTyping, isUnfinished, setFocused, typeText, useTyping, whenFollowed } from "./typing";
 
 const NAME = CARRIER.name;

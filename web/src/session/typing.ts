@@ -15,7 +15,7 @@ import { t } from "../i18n/words";
 import { replaceProgram } from "../model/command";
 import { useStudio } from "../model/studio";
 import type { Mission, Problem, Program, SpanEntry } from "../model/types";
-import { changeChecked } from "./checked";
+import { changeChecked } from "./report";
 
 export interface Draft {
   text: string;

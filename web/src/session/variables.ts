@@ -10,7 +10,7 @@ import { ApiError } from "../api/client";
 import { partsApi, type WantedVariable } from "../api/parts";
 import { listed, t } from "../i18n/words";
 import { addVariable, changeVariable, removeVariable, renamedIn, usesOfVariable } from "../model/commands/changeOwn";
-import { ownVariables } from "../model/own";
+import { ownVariables } from "../model/own-parts";
 import { execute, programInView, useStudio } from "../model/studio";
 import type { RobotObject } from "../model/types";
 import { reveal as revealVertices } from "./actions";

@@ -4,7 +4,7 @@ import { create } from "zustand";
 import type { Point } from "../model/layout";
 import { useStudio } from "../model/studio";
 import type { Place } from "../model/tree";
-import { readStored, writeStored } from "../ui/stored";
+import { readStored, writeStored } from "../ui/browser-storage";
 
 /** An open type-to-add: the vertex beside which it opens (else the selected arc), and the slot it is for, if any. */
 export interface Adding {

@@ -10,13 +10,13 @@ import { startOf } from "../model/starts";
 import { execute, useStudio } from "../model/studio";
 import { typedName } from "../model/typed-name";
 import type { Mission, OwnWorld } from "../model/types";
-import { withStartsFor } from "../model/world/begun";
+import { withStartsFor } from "../model/world/missing-starts";
 import { startNear } from "../model/world/free-start";
-import { drawNew, type Spot } from "../model/world/make";
-import { moved, startMoved } from "../model/world/moving";
+import { drawNew, type Spot } from "../model/world/part-creation";
+import { moved, startMoved } from "../model/world/part-movement";
 import { nameOf } from "../model/world/names";
-import { type Kind, partOf, type Thing } from "../model/world/thing";
-import { added, withDependents } from "../model/world/things";
+import { type Kind, partOf, type PartReference } from "../model/world/part-reference";
+import { added, withDependents } from "../model/world/part-edits";
 import { bannerAction, note, reportError } from "./document";
 import { choose, chosenIn, ownWorld, say, startWith, useWorld } from "./world-view";
 
@@ -58,7 +58,7 @@ export function beginWith(world: OwnWorld, name: string): void {
 }
 
 /** The names of several things, as a label of undo. */
-export function called(world: OwnWorld, things: readonly Thing[]): string {
+export function called(world: OwnWorld, things: readonly PartReference[]): string {
   const [first] = things;
   return things.length === 1 && first !== undefined
     ? nameOf(world, first)
@@ -84,7 +84,7 @@ export function duplicateChosen(): void {
   const things = chosenIn(world, useWorld.getState().chosen);
   if (world === null || things.length === 0) return;
   let after = world;
-  const made: Thing[] = [];
+  const made: PartReference[] = [];
   for (const thing of things) {
     let part = partOf(after, thing);
     if (part === undefined) continue;

@@ -12,7 +12,7 @@ import type { News } from "../api/watch";
 import { OWN_WORLD, sameWorld } from "../model/commands/changeWorld";
 import { useStudio } from "../model/studio";
 import type { World } from "../model/types";
-import type { drawnWorld } from "../model/world/drawn";
+import type { drawnWorld } from "../model/world/drawing";
 
 /** Counts how often the files were read, for components that show more of them than the document has. */
 export const useFiles = create<{ read: number }>(() => ({ read: 0 }));
@@ -69,7 +69,7 @@ function followWorld(): void {
   const { file, mission, world, worldOf, loadWorld } = useStudio.getState();
   if (mission.own_world != null) {
     if (draw === null) {
-      void import("../model/world/drawn").then((chunk) => {
+      void import("../model/world/drawing").then((chunk) => {
         draw = chunk.drawnWorld;
         followWorld();
       });

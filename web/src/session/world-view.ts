@@ -6,13 +6,13 @@ import { create } from "zustand";
 
 import { useStudio } from "../model/studio";
 import type { OwnWorld } from "../model/types";
-import { type Kind, partOf, type Thing } from "../model/world/thing";
+import { type Kind, partOf, type PartReference } from "../model/world/part-reference";
 import { showWorld } from "./team-view";
 
 interface WorldState {
   /** What a press on the world puts there; null takes hold of what is there. */
   tool: Kind | null;
-  chosen: Thing[];
+  chosen: PartReference[];
   /** The world during a drag. */
   draft: OwnWorld | null;
   /** What was done last, for screen readers. */
@@ -26,7 +26,7 @@ export function ownWorld(): OwnWorld | null {
   return useStudio.getState().mission.own_world ?? null;
 }
 
-export function choose(chosen: Thing[]): void {
+export function choose(chosen: PartReference[]): void {
   useWorld.setState({ chosen });
 }
 
@@ -35,7 +35,7 @@ export function say(said: string): void {
 }
 
 /** These things are chosen, and nothing is in hand. */
-export function startWith(chosen: Thing[]): void {
+export function startWith(chosen: PartReference[]): void {
   useWorld.setState({ chosen, tool: null, draft: null });
 }
 
@@ -54,7 +54,7 @@ export function putDown(): void {
 }
 
 /** Shows the world, with these things chosen. */
-export function openWorld(chosen: Thing[] = []): void {
+export function openWorld(chosen: PartReference[] = []): void {
   startWith(chosen);
   showWorld();
 }
@@ -66,6 +66,6 @@ export function openWorldWith(tool: Kind): void {
 }
 
 /** What is chosen and still there. */
-export function chosenIn(world: OwnWorld | null, chosen: readonly Thing[]): Thing[] {
+export function chosenIn(world: OwnWorld | null, chosen: readonly PartReference[]): PartReference[] {
   return world === null ? [] : chosen.filter((thing) => partOf(world, thing) !== undefined);
 }

@@ -9,7 +9,7 @@ import type { MissionFile } from "../model/types";
 import { useDocument } from "../session/document";
 import { earlyWorkOn, hasEarlyWork, keepEarlyWork } from "../session/early-work";
 import { drawAhead } from "../session/opening";
-import { readStored, writeStored } from "../ui/stored";
+import { readStored, writeStored } from "../ui/browser-storage";
 
 /** Stands in the browser once something else was done. */
 const OVER = "kitrobot.begun";

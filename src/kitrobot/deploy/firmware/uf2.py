@@ -114,8 +114,8 @@ def drive_at(folder: Path) -> Drive | None:
             text = stream.read(_MOST_INFO).decode("ascii", errors="replace")
     except OSError:
         return None
-    told = dict(line.partition(":")[::2] for line in text.splitlines() if ":" in line)
-    board = told.get("Board-ID", told.get("Model", "")).strip()[:80]
+    fields = dict(line.partition(":")[::2] for line in text.splitlines() if ":" in line)
+    board = fields.get("Board-ID", fields.get("Model", "")).strip()[:80]
     chip = next((chip for begin, chip in _CHIPS_OF_BOARDS if board.startswith(begin)), "")
     return Drive(folder, board, chip)
 
@@ -176,8 +176,8 @@ def chosen_drive(folder: Path | None) -> Drive:
     raise FlashError(Sentence("several boards may be meant: {names}", names), Sentence("choose with --drive"))
 
 
-def flash(firmware: Firmware, drive: Drive, told: Callable[[int, int], None] = lambda done, total: None) -> None:
-    """Copies a firmware to a drive; the board restarts with it. `told`: how many bytes of how many are copied.
+def flash(firmware: Firmware, drive: Drive, report: Callable[[int, int], None] = lambda done, total: None) -> None:
+    """Copies a firmware to a drive; the board restarts with it. `report`: how many bytes of how many are copied.
 
     Raises:
         FlashError: it is for another chip, or the drive does not take it.
@@ -192,7 +192,7 @@ def flash(firmware: Firmware, drive: Drive, told: Callable[[int, int], None] = l
         with open(drive.folder / f"FIRMWARE{SUFFIX.upper()}", "wb", buffering=0) as file:
             while done < total:
                 done += file.write(firmware.data[done : done + _PIECE])
-                told(done, total)
+                report(done, total)
             os.fsync(file.fileno())
     except OSError as error:
         # A board that has all of it restarts, and its drive is gone before the file is closed.

@@ -15,8 +15,8 @@ from kitrobot.classroom.assignments import pack
 from kitrobot.classroom.class_room import ClassRoom
 from kitrobot.classroom.exercises import files_of_exercise
 from kitrobot.classroom.messages import (
+    AdmissionRequestShape,
     ClassAnsweredShape,
-    ClassAskedShape,
     ClassAskShape,
     ClassHandInShape,
     ClassShape,
@@ -94,13 +94,13 @@ def join(admission: Door, who: From, wanted: JoinShape) -> JoinedShape:
 
 
 @class_routes.post("/ask")
-def ask(admission: Door, who: From, wanted: ClassAskShape) -> ClassAskedShape:
+def ask(admission: Door, who: From, wanted: ClassAskShape) -> AdmissionRequestShape:
     """Asks the teacher to let somebody in as a pupil that there is."""
-    return ClassAskedShape(asked=admission.request(wanted.code, wanted.name, who))
+    return AdmissionRequestShape(asked=admission.request(wanted.code, wanted.name, who))
 
 
 @class_routes.post("/asked")
-def asked(admission: Door, wanted: ClassAskedShape) -> ClassAnsweredShape:
+def asked(admission: Door, wanted: AdmissionRequestShape) -> ClassAnsweredShape:
     """The teacher's answer to that."""
     yes, _, key = admission.take_answer(wanted.asked)
     if yes is None:

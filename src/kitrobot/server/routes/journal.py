@@ -30,10 +30,10 @@ from kitrobot.wire.journal import (
     JournalAppendShape,
     JournalShape,
     JournalSizeShape,
-    LeftShape,
     MergeAskShape,
     MergedShape,
     NewsMessage,
+    OrphanedJournalShape,
 )
 from kitrobot.wire.mission import mission_from_shape, mission_shape
 from kitrobot.wire.values import ClaimedValue
@@ -69,13 +69,13 @@ def append(studio: ThisStudio, wanted: JournalAppendShape) -> JournalSizeShape:
 
 
 @journal_routes.get("/journal/left")
-def left(studio: ThisStudio) -> list[LeftShape]:
+def left(studio: ThisStudio) -> list[OrphanedJournalShape]:
     """Unsaved work that nobody has open, the newest first."""
-    return [LeftShape.model_validate(one) for one in studio.journals.orphaned()]
+    return [OrphanedJournalShape.model_validate(one) for one in studio.journals.orphaned()]
 
 
 @journal_routes.post("/journal/forget")
-def forget(studio: ThisStudio, wanted: ForgetShape) -> list[LeftShape]:
+def forget(studio: ThisStudio, wanted: ForgetShape) -> list[OrphanedJournalShape]:
     """Throws unsaved work away that nobody has open; gives what is left."""
     studio.journals.discard(wanted.journal)
     return left(studio)
@@ -141,11 +141,11 @@ async def watch(socket: WebSocket) -> None:
     closed = asyncio.ensure_future(_until_closed(socket))
     try:
         await socket.send_text(HelloMessage(tab=tab).model_dump_json())
-        told: object = None
+        sent: object = None
         while not closed.done():
             message = await run_in_background(_news, studio, tab)
-            if message != told:
-                told = message
+            if message != sent:
+                sent = message
                 await socket.send_text(message.model_dump_json())
             await asyncio.wait({closed}, timeout=LOOK_S)
     except (WebSocketDisconnect, RuntimeError):

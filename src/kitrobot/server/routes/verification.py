@@ -43,7 +43,7 @@ class _Verification(WebSocketJob):
             stop=self.stop.is_set,
             approximate=request.approximate,
         )
-        ended = verify_apart(prepared, options, lambda told: self.send_progress(verify_message(told, tick_ms)))
+        ended = verify_apart(prepared, options, lambda progress: self.send_progress(verify_message(progress, tick_ms)))
         return VerifyEndMessage(limits=[] if ended is None else list(ended.limits))
 
 

@@ -4,7 +4,7 @@ import { type PointerEvent, useRef } from "react";
 import { t } from "../../i18n/words";
 import { inWords } from "../../model/meaning";
 import type { ControlProps } from "./FieldRow";
-import { sliderProps, within } from "./typed";
+import { sliderProps, within } from "./number-text";
 
 const R = 48;
 const SIZE = 124;

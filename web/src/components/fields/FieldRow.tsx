@@ -23,7 +23,7 @@ import { Dial } from "./Dial";
 import { Piano } from "./Piano";
 import { Ruler } from "./Ruler";
 import { Slider } from "./Slider";
-import { isRounded, numberTyped, within } from "./typed";
+import { isRounded, numberTyped, within } from "./number-text";
 
 export interface FieldProps {
   drawing: Drawing;

@@ -7,7 +7,7 @@ import { noteOf } from "../../model/meaning";
 import { Icon } from "../../theme";
 import type { ControlProps } from "./FieldRow";
 import { sound } from "./sound";
-import { within } from "./typed";
+import { within } from "./number-text";
 
 /** Semitones above the first C; the black ones stand behind the white one before them. */
 const KEYS = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16];

@@ -9,7 +9,7 @@ import { useStudio } from "../../model/studio";
 import type { RobotObject } from "../../model/types";
 import { useRun, watchedAgent } from "../../session/run";
 import type { ControlProps } from "./FieldRow";
-import { sliderProps, within } from "./typed";
+import { sliderProps, within } from "./number-text";
 
 const TICKS = 20;
 

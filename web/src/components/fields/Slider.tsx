@@ -5,7 +5,7 @@ import { mirrored } from "../../i18n/language";
 import { inWords, withUnit } from "../../model/meaning";
 import type { Field } from "../../model/parts";
 import type { ControlProps } from "./FieldRow";
-import { steppedBy, within } from "./typed";
+import { steppedBy, within } from "./number-text";
 
 const MARKS = [0, 1, 2, 5, 10];
 /** Places of the handle between two marks. */

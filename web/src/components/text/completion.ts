@@ -1,7 +1,7 @@
 /**
  * What can be typed at a place of an LLL text: objects, methods behind the dot, constructs as snippets.
  *
- * The place is told by the brackets and words before it (`standing`); everything else comes from the robot's XML and the
+ * The place is told by the brackets and words before it (`completion-place`); everything else comes from the robot's XML and the
  * constructors', and the names of a team from its mission and its declarations.
  */
 import {
@@ -16,8 +16,8 @@ import { standsFor } from "../../model/parts";
 import { text as said } from "../../model/texts";
 import { TEAM_ROBOT } from "../../model/team-robot";
 import type { Catalogue, Constructor, Method, Robot, RobotObject } from "../../model/types";
-import type { TeamNames } from "./named";
-import { placeAtEnd, type Standing } from "./standing";
+import type { TeamNames } from "./team-names";
+import { placeAtEnd, type Standing } from "./completion-place";
 import { declarationOptions, nameOptions } from "./team-completion";
 
 /** What may stand at the end of that text. */

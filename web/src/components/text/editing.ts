@@ -21,7 +21,7 @@ import { stretchesIn } from "../../session/places";
 import { isUnfinished } from "../../session/typing";
 import { completionSource } from "./completion";
 import { callHelp, constructHelp, numberHelp } from "./help";
-import type { TeamNames } from "./named";
+import type { TeamNames } from "./team-names";
 
 export interface Surroundings {
   program: string;

@@ -4,8 +4,8 @@ import { moreWords } from "../../i18n/words";
 import { TEAM_ROBOT } from "../../model/team-robot";
 import type { Catalogue, Constructor, Method, Mission, Robot } from "../../model/types";
 import { complete, standingAt } from "./completion";
-import { teamNames } from "./named";
-import { placeAtEnd } from "./standing";
+import { teamNames } from "./team-names";
+import { placeAtEnd } from "./completion-place";
 
 beforeAll(moreWords);
 

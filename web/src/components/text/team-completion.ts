@@ -3,8 +3,8 @@ import { type Completion, snippetCompletion } from "@codemirror/autocomplete";
 
 import { t } from "../../i18n/words";
 import { inSet } from "../../model/team-names";
-import type { Named, TeamNames } from "./named";
-import type { Place } from "./standing";
+import type { Named, TeamNames } from "./team-names";
+import type { Place } from "./completion-place";
 
 /** The words of declarations, each with fields for what it says. */
 export function declarationOptions(): Completion[] {

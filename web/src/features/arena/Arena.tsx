@@ -34,7 +34,7 @@ const RobotMenu = later(() => import("./RobotMenu").then((chunk) => chunk.RobotM
 const Crowd = later(() => import("./Crowd").then((chunk) => chunk.Crowd), reportError);
 const Hands = later(() => import("./Hands").then((chunk) => chunk.Hands), reportError);
 
-const Placing = later(() => import("./Placing").then((chunk) => chunk.Placing), reportError);
+const PartPlacement = later(() => import("./PartPlacement").then((chunk) => chunk.PartPlacement), reportError);
 
 /** One press of an arrow key. */
 const PAN_PX = 40;
@@ -263,7 +263,7 @@ export function Arena() {
         />
         <EmptyArena scene={scene} />
         {near && painter !== null && scene?.running === false ? (
-          <Placing painter={painter} canvas={canvas} selected={selected} />
+          <PartPlacement painter={painter} canvas={canvas} selected={selected} />
         ) : null}
         {stage === null || painter === null ? null : (
           <stage.Shown scene={scene} selected={selected} painter={painter} />
@@ -271,7 +271,7 @@ export function Arena() {
       </div>
       {stage === null || painter === null ? null : (
         <div className="rigid relative">
-          <stage.Ending painter={painter} />
+          <stage.EndCard painter={painter} />
         </div>
       )}
       {watched === undefined ? null : <HandsOf agent={watched} />}

@@ -21,7 +21,7 @@ function useMenu(): MenuEntries {
 function StageSide() {
   const large = useStage((stage) => stage.large);
   const stage = useParts((parts) => parts.stage);
-  return large && stage !== null ? <stage.Watched /> : null;
+  return large && stage !== null ? <stage.RobotReadings /> : null;
 }
 
 /** Room for what runs: the arena beside the program, on a small window the room of the arena, from the first moment of each run. */

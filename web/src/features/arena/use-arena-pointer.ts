@@ -9,7 +9,7 @@ import type { Painter } from "../../components/scene/painter";
 import type { Scene } from "../../components/scene/scene";
 import { startOf } from "../../model/starts";
 import { useStudio } from "../../model/studio";
-import { GRID_MM } from "../../model/world/thing";
+import { GRID_MM } from "../../model/world/part-reference";
 import { watchPinch } from "../../ui/pinch";
 import { choose, openRobotMenu, stopFollowing, useRobots } from "./robots";
 

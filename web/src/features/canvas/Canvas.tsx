@@ -52,7 +52,7 @@ const NoteEditor = later(() => import("./NoteEditor").then((chunk) => chunk.Note
 const Find = later(() => import("./Find").then((chunk) => chunk.Find), reportError, { typing: true });
 const InPlace = later(() => import("./InPlace").then((chunk) => chunk.InPlace), reportError, { typing: true });
 const Minimap = later(() => import("./Minimap").then((chunk) => chunk.Minimap), reportError);
-const EmptyTeaching = later(() => import("./EmptyTeaching").then((chunk) => chunk.EmptyTeaching), reportError, {
+const FirstSteps = later(() => import("./FirstSteps").then((chunk) => chunk.FirstSteps), reportError, {
   words: false,
 });
 
@@ -125,7 +125,7 @@ function Graph({ drawing }: { drawing: Drawing }) {
       >
         <Nodes layout={layout} part={part} plain={plain} />
         <Lines layout={layout} part={part} plain={plain} />
-        {empty ? <EmptyTeaching drawing={drawing} /> : null}
+        {empty ? <FirstSteps drawing={drawing} /> : null}
       </Pane>
       {empty ? null : <ZoomControl />}
       {adding === null ? null : <AddPopup key={drawing.program.name} adding={adding} drawing={drawing} />}

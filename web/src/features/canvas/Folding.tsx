@@ -5,7 +5,7 @@ import { title } from "../../model/parts";
 import { currentDrawing } from "../../session/drawing";
 import { holdingStill } from "../../session/view";
 import { Icon } from "../../theme";
-import { toggleFold } from "./folded";
+import { toggleFold } from "./fold-state";
 
 function named(id: string): string {
   const block = currentDrawing()?.nodes.get(id)?.block;

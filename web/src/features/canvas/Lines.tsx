@@ -17,7 +17,7 @@ import { spokenArc } from "../../session/spoken";
 import { useView } from "../../session/view";
 import { later } from "../../ui/later";
 import { FoldControls } from "./Folding";
-import { useMoved } from "./moved";
+import { useMoved } from "./drag-contents";
 import { boxInside, type Part } from "./part";
 
 const Lanes = later(() => import("./Lanes").then((chunk) => chunk.Lanes), reportError);

@@ -15,7 +15,7 @@ import { later } from "../../ui/later";
 import { useThreadsAt } from "./active";
 import { Badges } from "./Badges";
 import { FoldedWords } from "./Folding";
-import { useMoved } from "./moved";
+import { useMoved } from "./drag-contents";
 
 /** Selects on a click; Shift or Ctrl adds to the selection or takes away from it. */
 export function selectVertex(id: string, event: { shiftKey: boolean; ctrlKey: boolean; metaKey: boolean }): void {

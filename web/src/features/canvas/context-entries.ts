@@ -8,11 +8,11 @@ import { currentDrawing } from "../../session/drawing";
 import { deleteSelection, duplicateSelection, openWrapping, unwrapSelection, wrappable } from "../../session/edits";
 import { keyFor } from "../../session/key-table";
 import { isShown } from "../../session/simple-view";
-import { canVarySelected, varySelected } from "../../session/varied";
+import { canVarySelected, varySelected } from "../../session/varied-axes";
 import { editSelected, openAdding, useView } from "../../session/view";
 import { type MenuEntry, menuItem } from "../../ui/menu-model";
 import { copySelection, cutSelection, pasteFromMenu } from "./clipboard";
-import { toggleFoldOfSelection } from "./folded";
+import { toggleFoldOfSelection } from "./fold-state";
 import { selectAll } from "./keys";
 import { isNoted, openNote, removeNote } from "./Notes";
 

@@ -13,7 +13,7 @@ import {
   unwrapSelection,
 } from "../../session/edits";
 import { GRAPH_KEYS, keyIn } from "../../session/key-table";
-import { varySelected } from "../../session/varied";
+import { varySelected } from "../../session/varied-axes";
 import {
   dropArc,
   editSelected,
@@ -25,7 +25,7 @@ import {
 } from "../../session/view";
 import { listen } from "../../ui/effects";
 import { openContextMenu } from "./context";
-import { toggleFoldOfSelection } from "./folded";
+import { toggleFoldOfSelection } from "./fold-state";
 import { openNote } from "./Notes";
 import { type Step, walk } from "./walk";
 

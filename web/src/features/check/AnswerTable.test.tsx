@@ -9,7 +9,7 @@ import { growProgram, missionOf } from "../../model/testing/missions";
 import { AnswerTable } from "./AnswerTable";
 import { plan, TIMINGS } from "./table";
 import { Verdict } from "./Verdict";
-import { useCheck } from "./verifying";
+import { useCheck } from "./check-session";
 
 (globalThis as { IS_REACT_ACT_ENVIRONMENT?: boolean }).IS_REACT_ACT_ENVIRONMENT = true;
 const place = document.createElement("div");

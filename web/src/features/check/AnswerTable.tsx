@@ -8,7 +8,7 @@ import { Said } from "../../i18n/Said";
 import { cellName, useGridWalk } from "../../ui/use-grid-walk";
 import { USUAL, withKinds } from "./kinds";
 import { type Assumption, type Cell, columnAt, sameAssumption, type Shape, shapeOf } from "./table";
-import { openAnswer, useCheck } from "./verifying";
+import { openAnswer, useCheck } from "./check-session";
 
 function stepsWords({ steps, repeats_from: from }: CheckedProperty): string {
   const words = t("check.steps", { count: from < 0 ? steps : from });

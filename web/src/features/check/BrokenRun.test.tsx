@@ -8,11 +8,11 @@ import { moreWords } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { growProgram, missionOf } from "../../model/testing/missions";
 import type { OwnWorld } from "../../model/types";
-import { drawnWorld } from "../../model/world/drawn";
+import { drawnWorld } from "../../model/world/drawing";
 import { useRun } from "../../session/run";
 import { BrokenRun } from "./BrokenRun";
 import { plan } from "./table";
-import { useCheck } from "./verifying";
+import { useCheck } from "./check-session";
 
 (globalThis as { IS_REACT_ACT_ENVIRONMENT?: boolean }).IS_REACT_ACT_ENVIRONMENT = true;
 const place = document.createElement("div");

@@ -21,7 +21,7 @@ import { beginWalk } from "./state-walk";
 import { StepArena } from "./StepArena";
 import { type Cell, counterexampleMarks, otherRun, stretches } from "./table";
 import { assumptionWords } from "./Verdict";
-import { answerAt, openAnswer, play, useCheck } from "./verifying";
+import { answerAt, openAnswer, play, useCheck } from "./check-session";
 import { WhyBroken } from "./WhyBroken";
 
 export function BrokenRun({ cell }: { cell: Cell }) {

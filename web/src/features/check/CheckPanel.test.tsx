@@ -12,7 +12,7 @@ import { type Hands, handsOn } from "../../testing/hands";
 import { mount, type Mounted } from "../../testing/hooks";
 import { testLine, type TestLine } from "../../testing/socket";
 import { CheckPanel } from "./CheckPanel";
-import { useCheck } from "./verifying";
+import { useCheck } from "./check-session";
 
 const CONFIRMED = { seed: 3, tick: 100, seconds: 2, failures: [] };
 

@@ -2,7 +2,7 @@
 import { useState } from "react";
 
 import { DockPanel } from "../../components/DockPanel";
-import { Refused } from "../../components/Refused";
+import { Refusal } from "../../components/Refusal";
 import { decimal, grouped, readWhole } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
@@ -15,7 +15,7 @@ import { FAILURE_COUNTS, kindChoices, kindsOf, USUAL, valueOf } from "./kinds";
 import { Properties } from "./Properties";
 import { beginWalk, useStateWalk } from "./state-walk";
 import { assumptionWords, Limits, Verdict } from "./Verdict";
-import { answerAt, begin, breakOff, useCheck } from "./verifying";
+import { answerAt, begin, breakOff, useCheck } from "./check-session";
 import { WalkedState } from "./WalkedState";
 import "./check.css";
 
@@ -34,7 +34,7 @@ export function CheckPanel() {
     <DockPanel id="check-panel" testId="check" title={t("check.title")} close={t("check.close")} tools={<Asking />}>
       <div className="check-body flex" data-run={walks || answered}>
         <div className="check-answers column grow scroll gap-m">
-          <Refused refused={refused} />
+          <Refusal refused={refused} />
           {asked === null ? <p className="check-what prose muted">{t("check.what")}</p> : <Answers />}
           <WalkEntry />
           <Properties />

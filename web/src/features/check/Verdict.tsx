@@ -4,7 +4,7 @@ import { t } from "../../i18n/words";
 import { Said } from "../../i18n/Said";
 import { USUAL, withKinds } from "./kinds";
 import type { Assumption } from "./table";
-import { begin, useCheck } from "./verifying";
+import { begin, useCheck } from "./check-session";
 import { Button } from "../../ui/Button";
 
 const MOST_FAILURES = 3;

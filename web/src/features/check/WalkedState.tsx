@@ -5,7 +5,7 @@ import "./walked-state.css";
 import { useEffect } from "react";
 
 import type { PossibleStep, StateWalk } from "../../api/generated";
-import { Refused } from "../../components/Refused";
+import { Refusal } from "../../components/Refusal";
 import { grouped, readWhole } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
@@ -37,7 +37,7 @@ export function WalkedState() {
         <Tool small icon="x" label={t("walk.close")} titled={false} testId="walk-close" onClick={closeWalk} />
       </header>
       <Assumption />
-      <Refused refused={refused} />
+      <Refusal refused={refused} />
       {state === null ? null : <State state={state} mission={wanted.mission} />}
     </section>
   );

@@ -6,7 +6,7 @@ import { t } from "../../i18n/words";
 import { isHeldByRobots } from "../../session/confirming-run";
 import { useRun } from "../../session/run";
 import { Button } from "../../ui/Button";
-import { play } from "./verifying";
+import { play } from "./check-session";
 
 interface Props {
   answer: CheckedProperty;

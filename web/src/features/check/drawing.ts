@@ -7,11 +7,11 @@ import type { DrawingCheckMessage, WorkRefusedMessage } from "../../api/generate
 import { beginWork, type Work } from "../../api/work";
 import { useStudio } from "../../model/studio";
 import type { Mission, Report } from "../../model/types";
-import { isChecked } from "../../session/checked";
+import { isChecked } from "../../session/report";
 import { showsProblem } from "../../session/confirming-run";
 import { useRun } from "../../session/run";
 import { endAll } from "../../ui/effects";
-import { useCheck } from "./verifying";
+import { useCheck } from "./check-session";
 
 /** Nobody draws for so long before it is asked for. */
 const QUIET_MS = 1500;

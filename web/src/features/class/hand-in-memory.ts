@@ -1,6 +1,6 @@
 /** What a pupil's page remembers of what it handed in: under which name and revision the class keeps each mission. */
 import { pupilName } from "../../api/token";
-import { parseStored } from "../../ui/stored";
+import { parseStored } from "../../ui/browser-storage";
 
 export interface Place {
   name: string;

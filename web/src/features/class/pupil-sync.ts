@@ -18,7 +18,7 @@ import { setComments, useOpenExercise } from "../../session/open-exercise";
 import { beginMission } from "../../session/open-requests";
 import { useRun } from "../../session/run";
 import { endAll, listen } from "../../ui/effects";
-import { readStored, writeStored } from "../../ui/stored";
+import { readStored, writeStored } from "../../ui/browser-storage";
 import { tellArena } from "./arena";
 import { type Memory, type Place, placeFor, readMemory, storageName } from "./hand-in-memory";
 import { forgetKept, leaveFiles } from "./left";

@@ -3,7 +3,7 @@ import { useCallback, useEffect, useMemo } from "react";
 import { create } from "zustand";
 
 import { api, problemsIn } from "../../api/client";
-import { teamNames } from "../../components/text/named";
+import { teamNames } from "../../components/text/team-names";
 import { TextEditor } from "../../components/text/TextEditor";
 import { Said } from "../../i18n/Said";
 import { sentence, t } from "../../i18n/words";

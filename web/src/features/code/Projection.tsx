@@ -10,7 +10,7 @@ import { TextView } from "../../components/text/TextView";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import type { Mission, Projection as Projected } from "../../model/types";
-import { useBehind } from "../../session/checked";
+import { useBehind } from "../../session/report";
 import { spansInUnits } from "../../session/places";
 import { closeTeam } from "../../session/team-view";
 import { useView } from "../../session/view";

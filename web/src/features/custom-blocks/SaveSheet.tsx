@@ -5,7 +5,7 @@ import type { Offered, Part, PartWish } from "../../api/generated";
 import { type Failure, whyRefused } from "../../api/refusal";
 import { sentence, t } from "../../i18n/words";
 import { saveAsPart } from "../../model/commands/ownParts";
-import { catalogueOf, ownConstructors } from "../../model/own";
+import { catalogueOf, ownConstructors } from "../../model/own-parts";
 import { partsOf } from "../../model/parts";
 import { execute, useStudio } from "../../model/studio";
 import type { Mission } from "../../model/types";

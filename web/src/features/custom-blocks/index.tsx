@@ -2,7 +2,7 @@
 import { useState } from "react";
 
 import { t } from "../../i18n/words";
-import { ownConstructors } from "../../model/own";
+import { ownConstructors } from "../../model/own-parts";
 import { useStudio } from "../../model/studio";
 import { canSave, closeMenu, openDelete, openEdit, openSave, useOwn } from "../../session/custom-blocks";
 import { reportError } from "../../session/document";

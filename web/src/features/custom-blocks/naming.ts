@@ -1,7 +1,7 @@
 /** Names of parts: which are free, and what is wrong with one. */
 import { t } from "../../i18n/words";
 import { firstFree } from "../../model/free-name";
-import { ownConstructors } from "../../model/own";
+import { ownConstructors } from "../../model/own-parts";
 import { typedName } from "../../model/typed-name";
 import type { Catalogue, Constructor, Mission } from "../../model/types";
 

@@ -1,5 +1,5 @@
 /** Downloads the mission's custom blocks as a constructors file. */
-import { ownConstructors } from "../../model/own";
+import { ownConstructors } from "../../model/own-parts";
 import { useStudio } from "../../model/studio";
 import { reportError } from "../../session/document";
 import { download } from "../../ui/download";

@@ -2,7 +2,7 @@
 import { act } from "react";
 import { afterEach, beforeEach, describe, expect, it } from "vitest";
 
-import { catalogueOf, ownConstructors } from "../../model/own";
+import { catalogueOf, ownConstructors } from "../../model/own-parts";
 import { useStudio } from "../../model/studio";
 import { CARRIER, missionOf } from "../../model/testing/missions";
 import { PARTS } from "../../model/testing/parts";

@@ -8,7 +8,7 @@ import "./watch.css";
 import { useMemo, useState } from "react";
 
 import { DockPanel } from "../../components/DockPanel";
-import { numberTyped, within } from "../../components/fields/typed";
+import { numberTyped, within } from "../../components/fields/number-text";
 import { t } from "../../i18n/words";
 import { inWords, measureOf } from "../../model/meaning";
 import type { Field } from "../../model/parts";

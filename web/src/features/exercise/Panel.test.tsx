@@ -11,7 +11,7 @@ import { remember, setComments } from "../../session/open-exercise";
 import { useRun } from "../../session/run";
 import { type Hands, handsOn } from "../../testing/hands";
 import { mount, type Mounted, settle } from "../../testing/hooks";
-import { leave } from "./judging";
+import { leave } from "./exercise-session";
 import { ExercisePanel } from "./Panel";
 
 await moreWords();

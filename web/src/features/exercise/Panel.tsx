@@ -14,7 +14,7 @@ import { isShown } from "../../session/simple-view";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
-import { judgeAll, keepExercise, leave, openExercise, play, stopJudging, useExercise } from "./judging";
+import { judgeAll, keepExercise, leave, openExercise, play, stopJudging, useExercise } from "./exercise-session";
 import { type Mark, OPEN } from "./marks";
 
 const ICONS = { open: "circle", reached: "circle-check", missed: "circle-x" } as const;

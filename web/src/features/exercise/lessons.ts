@@ -1,7 +1,7 @@
 /** The exercises as lessons of the path to learn. */
 import { t } from "../../i18n/words";
 import type { Lesson } from "../../session/lesson";
-import { begin, lookForExercises, useExercise } from "./judging";
+import { begin, lookForExercises, useExercise } from "./exercise-session";
 
 export async function lessons(): Promise<Lesson[]> {
   await lookForExercises();

@@ -4,7 +4,7 @@ import { useId, useState } from "react";
 import type { ExperimentChoices } from "../../api/generated";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
-import { setValues, useVaried, vary, type VariedAxis, varyNoMore } from "../../session/varied";
+import { setValues, useVaried, vary, type VariedAxis, varyNoMore } from "../../session/varied-axes";
 import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
 

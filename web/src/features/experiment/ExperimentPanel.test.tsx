@@ -7,7 +7,7 @@ import { moreWords, speak } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { CARRIER, fileOf, missionOf } from "../../model/testing/missions";
 import { useRun } from "../../session/run";
-import { useVaried, vary } from "../../session/varied";
+import { useVaried, vary } from "../../session/varied-axes";
 import { type Hands, handsOn } from "../../testing/hands";
 import { mount, type Mounted } from "../../testing/hooks";
 import { ExperimentPanel } from "./ExperimentPanel";

@@ -4,11 +4,11 @@ import "./experiment.css";
 import { useEffect, useRef } from "react";
 
 import { DockPanel } from "../../components/DockPanel";
-import { Refused } from "../../components/Refused";
+import { Refusal } from "../../components/Refusal";
 import { clock, grouped } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { useVaried } from "../../session/varied";
+import { useVaried } from "../../session/varied-axes";
 import { Button } from "../../ui/Button";
 import { afterPause, endAll } from "../../ui/effects";
 import { useWidth } from "../../ui/use-width";
@@ -53,7 +53,7 @@ export function ExperimentPanel() {
   );
   const results = (
     <div key="results" className="column slim gap-m">
-      <Refused refused={refused} />
+      <Refusal refused={refused} />
       {study === null ? (
         <p className="prose muted">{t("experiment.empty")}</p>
       ) : (

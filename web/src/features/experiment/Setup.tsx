@@ -1,12 +1,12 @@
 /** What is chosen for a study: what varies, seeds, measures; how many runs it would have, and the command that does the same. */
 import { useEffect, useMemo } from "react";
 
-import { Refused } from "../../components/Refused";
+import { Refusal } from "../../components/Refusal";
 import { grouped } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { useRun } from "../../session/run";
-import { useVaried } from "../../session/varied";
+import { useVaried } from "../../session/varied-axes";
 import { Button } from "../../ui/Button";
 import { Checkbox } from "../../ui/Checkbox";
 import { afterPause, endAll } from "../../ui/effects";
@@ -55,7 +55,7 @@ export function Setup() {
       <Axes choices={choices} />
       <Measures offered={choices.measures} />
       <Limits />
-      {asked === null ? null : <Refused refused={wrong} />}
+      {asked === null ? null : <Refusal refused={wrong} />}
       <div className="row wrap">
         <Button icon="play" ink type="submit" testId="experiment-begin" disabled={asked === null || plan === null}>
           {plan === null

@@ -3,7 +3,7 @@ import { t } from "../../i18n/words";
 import { openDock } from "../../session/dock";
 import { reportError } from "../../session/document";
 import type { Feature } from "../../session/features";
-import { EXPERIMENT } from "../../session/varied";
+import { EXPERIMENT } from "../../session/varied-axes";
 import { later } from "../../ui/later";
 import { menuItem } from "../../ui/menu-model";
 

@@ -5,7 +5,7 @@ import type { ExperimentAsk, ExperimentChoices } from "../../api/generated";
 import { plainDigits, readNumber } from "../../i18n/numbers";
 import { useStudio } from "../../model/studio";
 import { useRun } from "../../session/run";
-import type { VariedAxis } from "../../session/varied";
+import type { VariedAxis } from "../../session/varied-axes";
 
 interface Setup {
   seeds: string;

@@ -11,7 +11,7 @@ import { Checkbox } from "../../ui/Checkbox";
 import { nextCard } from "../../ui/grid";
 import { SearchField } from "../../ui/SearchField";
 import { Select } from "../../ui/Select";
-import { readStored, writeStored } from "../../ui/stored";
+import { readStored, writeStored } from "../../ui/browser-storage";
 import { Card } from "./Card";
 import { ALL, byLevel, fitting, robotsOf, topicsOf, type Wish } from "./filter";
 

@@ -1,6 +1,6 @@
 /** What can be opened: lists of missions and recordings, fetched when they are shown. */
 import { api } from "../../api/client";
-import type { Left, MissionEntry, RecordingEntry } from "../../api/generated";
+import type { OrphanedJournal, MissionEntry, RecordingEntry } from "../../api/generated";
 import { journalApi } from "../../api/journal";
 import { traceApi } from "../../api/traces";
 import { reportError } from "../../session/document";
@@ -17,8 +17,8 @@ export function useMissions(): MissionEntry[] | null {
 }
 
 /** Unsaved work that is open in no page; null while the list is on its way. */
-function useLeft(): Left[] | null {
-  return useFetched<Left[]>(journalApi.left, none);
+function useLeft(): OrphanedJournal[] | null {
+  return useFetched<OrphanedJournal[]>(journalApi.left, none);
 }
 
 /** null while the list is on its way. */
@@ -27,7 +27,7 @@ function useRecordings(): RecordingEntry[] | null {
 }
 
 interface Openable {
-  left: Left[];
+  left: OrphanedJournal[];
   missions: MissionEntry[];
   recordings: RecordingEntry[];
 }

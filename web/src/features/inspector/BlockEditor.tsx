@@ -13,7 +13,7 @@ import type { Spot } from "../../model/tree";
 import { wordsOf } from "../../model/words";
 import type { Drawing } from "../../session/drawing";
 import { useShown } from "../../session/simple-view";
-import { addressOf, toggleVaried, useVaried } from "../../session/varied";
+import { addressOf, toggleVaried, useVaried } from "../../session/varied-axes";
 import { Row } from "../../ui/Row";
 import { Tool } from "../../ui/Tool";
 

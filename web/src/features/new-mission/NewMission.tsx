@@ -22,7 +22,7 @@ import { borrowFocus } from "../../ui/borrow-focus";
 import { later } from "../../ui/later";
 import { Tool } from "../../ui/Tool";
 import { useFetched } from "../../ui/use-fetched";
-import { type Choice, chosenPlace, fittingFirst, NOTHING, placeFits, settled, starterFits } from "./choosing";
+import { type Choice, chosenPlace, fittingFirst, NOTHING, placeFits, settled, starterFits } from "./choice";
 import { RobotsPicture } from "./RobotsPicture";
 
 const GraphPicture = later(

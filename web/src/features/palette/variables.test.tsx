@@ -3,7 +3,7 @@ import { afterEach, beforeEach, describe, expect, it } from "vitest";
 
 import type { VariableAsk } from "../../api/generated";
 import { Banner } from "../../app/Banner";
-import { ownVariables } from "../../model/own";
+import { ownVariables } from "../../model/own-parts";
 import { CARRIER, missionOf } from "../../model/testing/missions";
 import { PARTS } from "../../model/testing/parts";
 import { useStudio } from "../../model/studio";

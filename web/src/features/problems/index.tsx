@@ -4,7 +4,7 @@ import "./problems.css";
 import { DockButton } from "../../components/DockButton";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { useBehind } from "../../session/checked";
+import { useBehind } from "../../session/report";
 import { reportError } from "../../session/document";
 import type { Feature } from "../../session/features";
 import type { PageKey } from "../../session/key-table";

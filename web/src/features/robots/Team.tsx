@@ -12,7 +12,7 @@ import { stopEverything } from "../../session/features";
 import { Select } from "../../ui/Select";
 import { useBoards } from "./boards";
 import { Act, Sending, TroubleBox, WayOut } from "./parts";
-import { keepShown } from "./shown";
+import { keepShown } from "./board-run";
 import { showRobots } from "./state";
 import {
   bodyOf,

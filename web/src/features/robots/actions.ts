@@ -18,7 +18,7 @@ import {
   useBoards,
 } from "./boards";
 import { withKit } from "./kits";
-import { agentAt, isAlike, keepShown } from "./shown";
+import { agentAt, isAlike, keepShown } from "./board-run";
 import { send } from "./socket";
 import type { Board } from "./wire";
 

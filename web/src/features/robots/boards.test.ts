@@ -4,7 +4,7 @@ import type { Mission } from "../../model/types";
 import { applyMessage, type BoardsState, kitFor, networkAddress, placesOf, programFor, readKept } from "./boards";
 import { recordingName } from "./recording";
 import { systemOf } from "./Robots";
-import { runOf, shownBoards } from "./shown";
+import { runOf, shownBoards } from "./board-run";
 import { bodyOf, placesFor, withBody } from "./team";
 import type { Board } from "./wire";
 

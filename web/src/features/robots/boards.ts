@@ -10,7 +10,7 @@ import { create } from "zustand";
 import type { WhyRefused } from "../../api/refusal";
 import { plainDigits, readWhole } from "../../i18n/numbers";
 import type { Mission } from "../../model/types";
-import { parseStored, readStored, writeStored } from "../../ui/stored";
+import { parseStored, readStored, writeStored } from "../../ui/browser-storage";
 import type { Board, BoardsMessage, Port, Steps, Team } from "./wire";
 
 /** What this page sent or greeted a robot with: later edits do not reach it. */

@@ -2,7 +2,7 @@
 import { useStudio } from "../../model/studio";
 import { useRun } from "../../session/run";
 import { type BoardsState, forgetRefusal, type Place, placesOf, setBodies, useBoards, without } from "./boards";
-import { keepShown } from "./shown";
+import { keepShown } from "./board-run";
 import { send } from "./socket";
 import type { Board, Team, TeamAgent } from "./wire";
 

@@ -12,7 +12,7 @@ import { useRun } from "../../session/run";
 import { Button } from "../../ui/Button";
 import { cellName, useGridWalk } from "../../ui/use-grid-walk";
 import { countsOf, ENDINGS, rowsOf, SIGNS } from "./map";
-import { play, type Swept, useSweep } from "./sweeping";
+import { play, type Swept, useSweep } from "./sweep-session";
 
 /** Of so many columns one has its time above it. */
 const EACH = 4;

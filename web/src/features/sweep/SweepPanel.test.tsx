@@ -11,7 +11,7 @@ import { type Hands, handsOn } from "../../testing/hands";
 import { mount, type Mounted } from "../../testing/hooks";
 import { testLine, type TestLine } from "../../testing/socket";
 import { SweepPanel } from "./SweepPanel";
-import { useSweep } from "./sweeping";
+import { useSweep } from "./sweep-session";
 
 const MISSION = missionOf(CARRIER, { ...CARRIER, name: "loader" });
 const ends = { outcome: "stuck", seconds: 12, sentence: "Nothing happens any more." } as const;

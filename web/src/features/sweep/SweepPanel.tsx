@@ -2,7 +2,7 @@
 import { useState } from "react";
 
 import { DockPanel } from "../../components/DockPanel";
-import { Refused } from "../../components/Refused";
+import { Refusal } from "../../components/Refusal";
 import { grouped, readNumber, readWhole } from "../../i18n/numbers";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
@@ -11,7 +11,7 @@ import { Button } from "../../ui/Button";
 import { Row } from "../../ui/Row";
 import { Select } from "../../ui/Select";
 import { SweepMap } from "./SweepMap";
-import { begin, breakOff, useSweep } from "./sweeping";
+import { begin, breakOff, useSweep } from "./sweep-session";
 import "./sweep.css";
 
 const MOMENTS = ["10", "25", "50", "100", "200"];
@@ -25,7 +25,7 @@ export function SweepPanel() {
     <DockPanel id="sweep-panel" testId="sweep" title={t("sweep.title")} close={t("sweep.close")}>
       <div className="dock-body column gap-m">
         <Asking />
-        <Refused refused={refused} />
+        <Refusal refused={refused} />
         {swept === null ? null : <SweepMap swept={swept} />}
       </div>
     </DockPanel>

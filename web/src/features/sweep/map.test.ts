@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 
 import type { SweepMapMessage } from "../../api/generated";
 import { countsOf, rowsOf } from "./map";
-import { withFailure } from "./sweeping";
+import { withFailure } from "./sweep-session";
 
 const MAP: SweepMapMessage = {
   type: "map",

@@ -9,7 +9,7 @@ import { TutorialPanel } from "./Panel";
 import { begun } from "./progress";
 import { enter, heardFits, leave } from "./state";
 
-vi.mock("./watching", () => ({ keepWatching: () => () => undefined }));
+vi.mock("./step-watch", () => ({ keepWatching: () => () => undefined }));
 
 const step = (name: string): TutorialStep => ({
   label: { "": name },

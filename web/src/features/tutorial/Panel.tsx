@@ -16,7 +16,7 @@ import { beginAnew } from "./opening";
 import { goToPoint, type Page, selectorOf, told, wordsOf } from "./points";
 import { doneSteps } from "./progress";
 import { goBack, goForward, goTo, leave, showHint, useTutorial } from "./state";
-import { keepWatching } from "./watching";
+import { keepWatching } from "./step-watch";
 
 function usePage(): Page {
   const program = useStudio(programInView);

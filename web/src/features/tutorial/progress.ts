@@ -5,7 +5,7 @@
  * step whose event came while the program was right stays done, as does one that was only to be read.
  */
 import type { Tutorial } from "../../api/generated";
-import { parseStored, readStored, writeStored } from "../../ui/stored";
+import { parseStored, readStored, writeStored } from "../../ui/browser-storage";
 
 export interface Progress {
   /** The step that is shown; the number of steps when all of it was gone through. */

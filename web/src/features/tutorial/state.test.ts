@@ -3,7 +3,7 @@ import { beforeEach, describe, expect, it } from "vitest";
 import type { Tutorial, TutorialStep } from "../../api/generated";
 import { begun, rememberedProgress } from "./progress";
 import { enter, goBack, goForward, goTo, heardEvent, heardFits, leave, movedTo, showHint, useTutorial } from "./state";
-import { eventsOf } from "./watching";
+import { eventsOf } from "./step-watch";
 
 const step = (asks: boolean, ...events: string[]): TutorialStep => ({
   label: {},

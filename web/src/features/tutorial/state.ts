@@ -2,7 +2,7 @@
  * The tutorial that is on: which step is shown, what is done, and what a person does with the panel.
  *
  * Going on by itself happens once, at the moment when the shown step becomes done; who goes back to a done step stays
- * there. Left to others: opening missions (`opening.ts`), asking the server (`watching.ts`).
+ * there. Left to others: opening missions (`opening.ts`), asking the server (`step-watch.ts`).
  */
 import { create } from "zustand";
 

@@ -2,7 +2,7 @@
 import { type Key, t } from "../../i18n/words";
 import type { Corner } from "../../model/types";
 import { withClosed, withPoints } from "../../model/world/roads";
-import { LARGEST_MM, type Part, tidy } from "../../model/world/thing";
+import { LARGEST_MM, type Part, tidy } from "../../model/world/part-reference";
 import { useShown } from "../../session/simple-view";
 import { Checkbox } from "../../ui/Checkbox";
 import { Tool } from "../../ui/Tool";

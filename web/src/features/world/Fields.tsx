@@ -6,7 +6,7 @@ import { changeOwnWorld, isFreeName, isNamed, renameThing } from "../../model/co
 import { execute, useStudio } from "../../model/studio";
 import type { OwnWorld } from "../../model/types";
 import { kindName } from "../../model/world/names";
-import { LARGEST_MM, partOf, sameThing, thingNamed, tidy } from "../../model/world/thing";
+import { LARGEST_MM, partOf, isSamePart, thingNamed, tidy } from "../../model/world/part-reference";
 import { duplicateChosen, removeChosen } from "../../session/world-edits";
 import { chosenIn, useWorld } from "../../session/world-view";
 import { Icon } from "../../theme";
@@ -62,7 +62,7 @@ export function Fields({ world }: { world: OwnWorld }) {
   const part = partOf(world, thing);
   const problems = (report?.problems ?? []).filter((one) => {
     const found = thingNamed(world, one.thing);
-    return found !== null && sameThing(found, thing);
+    return found !== null && isSamePart(found, thing);
   });
   const several = chosen.length > 1;
   return (

@@ -1,6 +1,6 @@
 /** The fields of what lies around its middle: boxes, balls and zones. */
 import { type Key, t } from "../../i18n/words";
-import { LARGEST_MM, type Part, tidy } from "../../model/world/thing";
+import { LARGEST_MM, type Part, tidy } from "../../model/world/part-reference";
 import { NumberField } from "./NumberField";
 import { Choice, Numbers, type PartProps } from "./part-fields";
 

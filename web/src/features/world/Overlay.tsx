@@ -3,16 +3,16 @@ import { type Camera, toScreen } from "../../components/scene/camera";
 import { startOf } from "../../model/starts";
 import { useStudio } from "../../model/studio";
 import type { Mission, OwnWorld } from "../../model/types";
-import { dockPlace, lineOf, startPlace } from "../../model/world/drawn";
+import { dockPlace, lineOf, startPlace } from "../../model/world/drawing";
 import { gripsOf } from "../../model/world/grips";
-import { anchorOf } from "../../model/world/moving";
+import { anchorOf } from "../../model/world/part-movement";
 import { shapeOf } from "../../model/world/shape";
-import { type Thing, thingNamed } from "../../model/world/thing";
+import { type PartReference, thingNamed } from "../../model/world/part-reference";
 
 interface OverlayProps {
   world: OwnWorld;
   camera: Camera;
-  chosen: readonly Thing[];
+  chosen: readonly PartReference[];
   mission: Mission;
 }
 
@@ -30,7 +30,7 @@ function pathOf(camera: Camera, points: readonly Point[], closed: boolean): stri
 }
 
 /** The outline of a thing; what has no shape of its own has a ring. */
-function Outline({ world, camera, thing }: { world: OwnWorld; camera: Camera; thing: Thing }) {
+function Outline({ world, camera, thing }: { world: OwnWorld; camera: Camera; thing: PartReference }) {
   const { kind, at } = thing;
   switch (kind) {
     case "wall": {

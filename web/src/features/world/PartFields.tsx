@@ -3,11 +3,11 @@ import type { ComponentType } from "react";
 
 import { type Key, t } from "../../i18n/words";
 import type { OwnWorld } from "../../model/types";
-import { lineOf, startPlace } from "../../model/world/drawn";
+import { lineOf, startPlace } from "../../model/world/drawing";
 import { nearestOn } from "../../model/world/line";
 import { withSections } from "../../model/world/roads";
-import { type Kind, LARGEST_MM, type Part, partOf, type Thing, tidy } from "../../model/world/thing";
-import { withPart } from "../../model/world/things";
+import { type Kind, LARGEST_MM, type Part, partOf, type PartReference, tidy } from "../../model/world/part-reference";
+import { withPart } from "../../model/world/part-edits";
 import { Closed, Corners } from "./Corners";
 import { BallFields, BoxFields, ZoneFields } from "./MiddledFields";
 import { NumberField } from "./NumberField";
@@ -185,7 +185,7 @@ const FIELDS: { readonly [K in Kind]: ComponentType<PartProps<Part<K>>> } = {
   zone: ZoneFields,
 };
 
-export function PartFields({ world, thing }: { world: OwnWorld; thing: Thing }) {
+export function PartFields({ world, thing }: { world: OwnWorld; thing: PartReference }) {
   const part = partOf(world, thing);
   const Fields = FIELDS[thing.kind] as ComponentType<PartProps<Part<Kind>>>;
   if (part === undefined) return null;

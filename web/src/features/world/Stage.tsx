@@ -13,13 +13,13 @@ import { handKey } from "../../i18n/touch";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import type { OwnWorld } from "../../model/types";
-import { drawnWorld } from "../../model/world/drawn";
-import { endsOf, snapped, thingAt } from "../../model/world/finding";
+import { drawnWorld } from "../../model/world/drawing";
+import { endsOf, snapped, thingAt } from "../../model/world/hit-test";
 import { dragged } from "../../model/world/grips";
-import { drawNew, type Spot } from "../../model/world/make";
-import { anchorOf, moved } from "../../model/world/moving";
+import { drawNew, type Spot } from "../../model/world/part-creation";
+import { anchorOf, moved } from "../../model/world/part-movement";
 import { KIND_ICONS, kindName, nameOf } from "../../model/world/names";
-import { type Kind, sameThing, type Thing, thingsOf } from "../../model/world/thing";
+import { type Kind, isSamePart, type PartReference, partReferences } from "../../model/world/part-reference";
 import { keyIn } from "../../session/key-table";
 import { called, change, duplicateChosen, nudge, put, removeChosen } from "../../session/world-edits";
 import { choose, chosenIn, putDown, setDraft, useWorld } from "../../session/world-view";
@@ -35,8 +35,8 @@ const PAN_PX = 40;
 
 type Drag =
   | { what: "pan"; x: number; y: number; moved: boolean }
-  | { what: "grip"; thing: Thing; grip: string; began: OwnWorld }
-  | { what: "move"; from: Spot; x: number; y: number; held: boolean; began: OwnWorld; things: Thing[] }
+  | { what: "grip"; thing: PartReference; grip: string; began: OwnWorld }
+  | { what: "move"; from: Spot; x: number; y: number; held: boolean; began: OwnWorld; things: PartReference[] }
   | { what: "new"; tool: Kind; from: Spot; x: number; y: number; began: OwnWorld };
 
 function scaleOf(camera: Camera): number {
@@ -102,7 +102,7 @@ export function Stage() {
     const [x, y] = toWorld(view, event.clientX - place.left, event.clientY - place.top);
     return { x, y };
   };
-  const snap = (event: PointerEvent, { x, y }: Spot, but: readonly Thing[]): Spot => {
+  const snap = (event: PointerEvent, { x, y }: Spot, but: readonly PartReference[]): Spot => {
     if (event.altKey || now === null || painter === null) return { x: Math.round(x), y: Math.round(y) };
     return snapped(x, y, endsOf(now, but), scaleOf(painter.camera));
   };
@@ -134,10 +134,10 @@ export function Stage() {
       return;
     }
     const also = event.ctrlKey || event.metaKey || event.shiftKey;
-    const there = chosen.some((one) => sameThing(one, found));
+    const there = chosen.some((one) => isSamePart(one, found));
     const things = also
       ? there
-        ? chosen.filter((one) => !sameThing(one, found))
+        ? chosen.filter((one) => !isSamePart(one, found))
         : [found, ...chosen]
       : there
         ? chosen
@@ -214,9 +214,9 @@ export function Stage() {
   };
 
   const walk = (by: 1 | -1) => {
-    const things = own === null ? [] : thingsOf(own);
+    const things = own === null ? [] : partReferences(own);
     const [first] = chosen;
-    const at = first === undefined ? -1 : things.findIndex((one) => sameThing(one, first));
+    const at = first === undefined ? -1 : things.findIndex((one) => isSamePart(one, first));
     const next = things[(at < 0 ? (by > 0 ? 0 : things.length - 1) : at + by + things.length) % things.length];
     if (next !== undefined) choose([next]);
   };
@@ -237,7 +237,7 @@ export function Stage() {
       down: () => shift(0, -1),
       remove: removeChosen,
       duplicate: duplicateChosen,
-      all: () => choose(own === null ? [] : thingsOf(own)),
+      all: () => choose(own === null ? [] : partReferences(own)),
       stop,
       next: () => walk(1),
       previous: () => walk(-1),
@@ -250,7 +250,7 @@ export function Stage() {
     acts[id]();
   };
 
-  const counts = now === null ? "" : [...new Set(thingsOf(now).map((thing) => nameOf(now, thing)))].join(", ");
+  const counts = now === null ? "" : [...new Set(partReferences(now).map((thing) => nameOf(now, thing)))].join(", ");
   return (
     <div
       className="world-stage fill focus-inside relative"

@@ -6,7 +6,7 @@ import { partsApi } from "../../api/parts";
 import { WorldPicture } from "../../components/WorldPicture";
 import { t } from "../../i18n/words";
 import { text } from "../../model/texts";
-import { drawnWorld } from "../../model/world/drawn";
+import { drawnWorld } from "../../model/world/drawing";
 import { reportError } from "../../session/document";
 import { beginWith } from "../../session/world-edits";
 import { awaitAnswer } from "../../ui/effects";

@@ -5,7 +5,7 @@ import { sentence, t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import type { OwnWorld } from "../../model/types";
 import { KIND_ICONS, kindName, nameOf } from "../../model/world/names";
-import { KINDS, partsOfKind, sameThing, type Thing, thingNamed } from "../../model/world/thing";
+import { KINDS, partsOfKind, isSamePart, type PartReference, thingNamed } from "../../model/world/part-reference";
 import { duplicateChosen, removeChosen } from "../../session/world-edits";
 import { choose, useWorld } from "../../session/world-view";
 import { Icon } from "../../theme";
@@ -18,23 +18,25 @@ export function Things({ world }: { world: OwnWorld }) {
   const groups = KINDS.map((kind) => ({ kind, count: partsOfKind(world, kind).length })).filter(
     ({ count }) => count > 0,
   );
-  const things = groups.flatMap(({ kind, count }) => Array.from({ length: count }, (_, at): Thing => ({ kind, at })));
+  const things = groups.flatMap(({ kind, count }) =>
+    Array.from({ length: count }, (_, at): PartReference => ({ kind, at })),
+  );
   const first = chosen[0] ?? things[0];
 
-  const focus = (thing: Thing) => {
+  const focus = (thing: PartReference) => {
     requestAnimationFrame(() =>
       tree.current?.querySelector<HTMLElement>(`[data-thing="${thing.kind}:${String(thing.at)}"]`)?.focus(),
     );
   };
   const onKeyDown = (event: KeyboardEvent) => {
-    const at = things.findIndex((thing) => first !== undefined && sameThing(thing, first));
+    const at = things.findIndex((thing) => first !== undefined && isSamePart(thing, first));
     const to: Record<string, number> = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: things.length - 1 };
     const next = things[to[event.key] ?? -1];
     if (event.key in to) {
       event.preventDefault();
       event.stopPropagation();
       if (next === undefined) return;
-      choose(event.shiftKey && !chosen.some((one) => sameThing(one, next)) ? [next, ...chosen] : [next]);
+      choose(event.shiftKey && !chosen.some((one) => isSamePart(one, next)) ? [next, ...chosen] : [next]);
       focus(next);
     } else if (event.key === "Delete") {
       event.preventDefault();
@@ -62,10 +64,10 @@ export function Things({ world }: { world: OwnWorld }) {
             </span>
             <ul role="group" aria-label={kindName(kind)}>
               {Array.from({ length: count }, (_, at) => {
-                const thing: Thing = { kind, at };
+                const thing: PartReference = { kind, at };
                 const problem = wrong.find((one) => {
                   const found = thingNamed(world, one.thing);
-                  return found !== null && sameThing(found, thing);
+                  return found !== null && isSamePart(found, thing);
                 });
                 const label = nameOf(world, thing);
                 return (
@@ -75,9 +77,9 @@ export function Things({ world }: { world: OwnWorld }) {
                     className="world-row finger row between gap-s"
                     data-thing={`${kind}:${String(at)}`}
                     data-testid={`thing-${kind}-${String(at)}`}
-                    aria-selected={chosen.some((one) => sameThing(one, thing))}
+                    aria-selected={chosen.some((one) => isSamePart(one, thing))}
                     aria-label={problem === undefined ? label : `${label}. ${sentence(problem.message)}`}
-                    tabIndex={first !== undefined && sameThing(first, thing) ? 0 : -1}
+                    tabIndex={first !== undefined && isSamePart(first, thing) ? 0 : -1}
                     onClick={(event) =>
                       choose(event.ctrlKey || event.metaKey || event.shiftKey ? [thing, ...chosen] : [thing])
                     }

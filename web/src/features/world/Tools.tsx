@@ -5,7 +5,7 @@
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { KIND_ICONS, kindName } from "../../model/world/names";
-import { type Kind, KINDS } from "../../model/world/thing";
+import { type Kind, KINDS } from "../../model/world/part-reference";
 import { put } from "../../session/world-edits";
 import { ownWorld, takeTool, useWorld } from "../../session/world-view";
 import { Icon } from "../../theme";

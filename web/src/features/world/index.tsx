@@ -1,7 +1,7 @@
 /** The world of the mission, drawn and changed. */
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
-import { thingNamed } from "../../model/world/thing";
+import { thingNamed } from "../../model/world/part-reference";
 import { reportError } from "../../session/document";
 import type { Feature, FeatureTab } from "../../session/features";
 import { keyFor, type PageKey } from "../../session/key-table";

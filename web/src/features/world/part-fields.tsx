@@ -4,7 +4,7 @@ import type { ComponentProps } from "react";
 import { type Key, t } from "../../i18n/words";
 import type { OwnWorld } from "../../model/types";
 import { nameOf } from "../../model/world/names";
-import { LARGEST_MM, type Part, type Thing, tidy } from "../../model/world/thing";
+import { LARGEST_MM, type Part, type PartReference, tidy } from "../../model/world/part-reference";
 import { useShown } from "../../session/simple-view";
 import { change } from "../../session/world-edits";
 import { Select } from "../../ui/Select";
@@ -15,19 +15,19 @@ const COORDINATES: readonly string[] = ["x_mm", "y_mm"];
 
 export interface PartProps<P> {
   world: OwnWorld;
-  thing: Thing;
+  thing: PartReference;
   part: P;
   /** The part as it is to be from now on. `stepped`: one of several steps of the field `what` that follow each other. */
   keep: (after: P, what?: string, stepped?: boolean) => void;
 }
 
-export function set(world: OwnWorld, thing: Thing, after: OwnWorld, what = "", stepped = false): void {
+export function set(world: OwnWorld, thing: PartReference, after: OwnWorld, what = "", stepped = false): void {
   const label = t("command.edit", { name: nameOf(world, thing) });
   change(label, after, stepped ? `world ${thing.kind} ${String(thing.at)} ${what}` : undefined);
 }
 
 /** Fields that are numbers in mm, by their names in the part. */
-export function Numbers<P extends Part<Thing["kind"]>>({
+export function Numbers<P extends Part<PartReference["kind"]>>({
   part,
   keep,
   names,

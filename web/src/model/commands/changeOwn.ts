@@ -4,7 +4,7 @@
  */
 import { t } from "../../i18n/words";
 import { type Command, commandTo, withOptional } from "../command";
-import { ownConstructors, ownVariables } from "../own";
+import { ownConstructors, ownVariables } from "../own-parts";
 import type { Constructor, Mission, OwnVariable, Program } from "../types";
 
 /** The mission with these lists, each left out when it is empty, as in a mission that never had one. */

@@ -8,8 +8,8 @@ import { t } from "../../i18n/words";
 import { type Command, commandTo } from "../command";
 import { startOf } from "../starts";
 import type { Mission, OwnWorld } from "../types";
-import { type Kind, partsOfKind, type Thing } from "../world/thing";
-import { removed, withDependents, withPart } from "../world/things";
+import { type Kind, partsOfKind, type PartReference } from "../world/part-reference";
+import { removed, withDependents, withPart } from "../world/part-edits";
 
 /** The mission takes place in this world, which it brings along from now on. */
 export function bringWorld(mission: Mission, world: OwnWorld): Command {
@@ -24,7 +24,7 @@ export function changeOwnWorld(mission: Mission, label: string, world: OwnWorld,
 }
 
 /** Things out of the world, with what cannot be without them. */
-export function removeThings(mission: Mission, label: string, things: readonly Thing[]): Command | null {
+export function removeThings(mission: Mission, label: string, things: readonly PartReference[]): Command | null {
   const world = mission.own_world ?? null;
   if (world === null || things.length === 0) return null;
   return changeOwnWorld(mission, label, removed(world, withDependents(world, things)));
@@ -42,7 +42,7 @@ export function isNamed(kind: Kind): kind is NamedKind {
 }
 
 /** Another name for a thing, everywhere; null when it cannot be. */
-export function renameThing(mission: Mission, { kind, at }: Thing, name: string): Command | null {
+export function renameThing(mission: Mission, { kind, at }: PartReference, name: string): Command | null {
   const world = mission.own_world ?? null;
   if (world === null || !isNamed(kind) || !isFreeName(world, kind, name)) return null;
   const part = partsOfKind(world, kind)[at];

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 
-import { catalogueOf } from "../own";
+import { catalogueOf } from "../own-parts";
 import { partsOf } from "../parts";
 import { CARRIER } from "../testing/missions";
 import { PARTS as CATALOGUE } from "../testing/parts";

@@ -1,7 +1,7 @@
 /** Gives a program another robot; the mission's own variables that it uses come along. */
 import { t } from "../../i18n/words";
 import { type Command, commandTo } from "../command";
-import { ownConstructors, ownVariables } from "../own";
+import { ownConstructors, ownVariables } from "../own-parts";
 import { robotKinds } from "../robot-kinds";
 import { TEAM_ROBOT } from "../team-robot";
 import type { Catalogue, Mission, Program, Robot } from "../types";

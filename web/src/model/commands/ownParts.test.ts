@@ -2,7 +2,7 @@
 import { describe, expect, it } from "vitest";
 
 import type { Command } from "../command";
-import { catalogueOf } from "../own";
+import { catalogueOf } from "../own-parts";
 import { partsOf } from "../parts";
 import { readStructure } from "../structure";
 import { CARRIER, missionOf } from "../testing/missions";

@@ -5,7 +5,7 @@
 import { t } from "../../i18n/words";
 import { type Command, commandTo } from "../command";
 import { blocksOf } from "../fragment";
-import { catalogueOf, ownConstructors, ownVariables } from "../own";
+import { catalogueOf, ownConstructors, ownVariables } from "../own-parts";
 import { fits, type Parts, partsOf, type Shape } from "../parts";
 import { type Block, type Body, readStructure, type Structure, writeStructure } from "../structure";
 import { copyBlock, everySpot, freshIds, newBlock, type Spot } from "../tree";

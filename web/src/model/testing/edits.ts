@@ -32,7 +32,7 @@ import { setNote } from "../commands/setNote";
 import { toggleMark } from "../commands/toggleMark";
 import { unwrapPart, wrapParts } from "../commands/wrapParts";
 import { copyOf } from "../fragment";
-import { ownConstructors, ownVariables } from "../own";
+import { ownConstructors, ownVariables } from "../own-parts";
 import { readStructure } from "../structure";
 import type { Mission, OwnVariable, Program } from "../types";
 import { CARRIER_PARTS as PARTS, pick, placesOf } from "./missions";

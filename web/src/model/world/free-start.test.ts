@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 
 import held from "../testing/worlds.json";
 import type { OwnWorld } from "../types";
-import { startPlace } from "./drawn";
+import { startPlace } from "./drawing";
 import { startNear } from "./free-start";
 
 const WORLDS = (held as unknown as { own: OwnWorld }[]).map(({ own }) => own);

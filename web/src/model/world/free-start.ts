@@ -1,9 +1,9 @@
 /** Where one more robot can start: beside another, where nobody starts and nothing stands. */
 import type { OwnWorld } from "../types";
-import { roadLine, startPlace } from "./drawn";
-import { thingAt } from "./finding";
+import { roadLine, startPlace } from "./drawing";
+import { thingAt } from "./hit-test";
 import { placeAt } from "./line";
-import type { Kind, Part } from "./thing";
+import type { Kind, Part } from "./part-reference";
 
 const STEP_MM = 150;
 /** From the middle of a robot to what stands there, and to the rim of the world. */

@@ -1,11 +1,11 @@
 /** Grips: the places by which a thing of a world is changed, and the world with one of them dragged. */
 import type { OwnWorld } from "../types";
-import { dockPlace, lineOf } from "./drawn";
+import { dockPlace, lineOf } from "./drawing";
 import { nearestOn } from "./line";
 import { withCut, withPoints } from "./roads";
-import { type Part, partOf, partsOfKind, type Thing, tidy } from "./thing";
+import { type Part, partOf, partsOfKind, type PartReference, tidy } from "./part-reference";
 import { shapeOf } from "./shape";
-import { withPart } from "./things";
+import { withPart } from "./part-edits";
 
 export interface Grip {
   /** "end:0", "corner:2", "cut:1", "size", "heading", "radius", "corner-of", "falloff". */
@@ -18,7 +18,7 @@ export interface Grip {
 export const HEADING_MM = 110;
 
 /** The places by which a thing is changed. */
-export function gripsOf(world: OwnWorld, thing: Thing): Grip[] {
+export function gripsOf(world: OwnWorld, thing: PartReference): Grip[] {
   switch (thing.kind) {
     case "wall": {
       const wall = world.walls[thing.at];
@@ -79,7 +79,7 @@ function cutsOf(world: OwnWorld, at: number): Grip[] {
 const LEAST_MM = 5;
 
 /** What lies around its middle, with its edge dragged to a place; the lower left corner of a rectangle stays. */
-function resized(world: OwnWorld, thing: Thing, what: string, x: number, y: number): OwnWorld {
+function resized(world: OwnWorld, thing: PartReference, what: string, x: number, y: number): OwnWorld {
   const { kind, at } = thing;
   if (kind !== "box" && kind !== "ball" && kind !== "zone") return world;
   const part = partOf(world, { kind, at });
@@ -100,7 +100,7 @@ function resized(world: OwnWorld, thing: Thing, what: string, x: number, y: numb
 }
 
 /** The world with a grip of a thing brought to a place. */
-export function dragged(world: OwnWorld, thing: Thing, grip: string, x: number, y: number): OwnWorld {
+export function dragged(world: OwnWorld, thing: PartReference, grip: string, x: number, y: number): OwnWorld {
   const [what = "", number = "0"] = grip.split(":");
   const index = Number(number);
   const [tx, ty] = [tidy(x), tidy(y)];

@@ -1,7 +1,7 @@
 /** What things of a world are called on the page. */
 import { type Key, t } from "../../i18n/words";
 import type { OwnWorld } from "../types";
-import { type Kind, partOf, type Thing } from "./thing";
+import { type Kind, partOf, type PartReference } from "./part-reference";
 
 export const KIND_ICONS: Record<Kind, string> = {
   wall: "brick-wall",
@@ -21,7 +21,7 @@ export function kindName(kind: Kind): string {
 }
 
 /** "Road ring", "Wall 2". */
-export function nameOf(world: OwnWorld, thing: Thing): string {
+export function nameOf(world: OwnWorld, thing: PartReference): string {
   const part = partOf(world, thing);
   const name = part !== undefined && "name" in part ? part.name : String(thing.at + 1);
   return t("world.thing", { kind: kindName(thing.kind), name });

@@ -1,9 +1,9 @@
 /** Roads that change their shape: corners, closed or open, sections and the cuts between them. */
 import type { Corner, OwnWorld } from "../types";
-import { lineOf } from "./drawn";
+import { lineOf } from "./drawing";
 import { nearestOn } from "./line";
-import { type Part, partOf, type Thing, tidy } from "./thing";
-import { withPart } from "./things";
+import { type Part, partOf, type PartReference, tidy } from "./part-reference";
+import { withPart } from "./part-edits";
 
 /** The road nearest to a place, how far along it (mm) and how far off it is; null without roads. */
 export function nearestRoad(
@@ -44,7 +44,7 @@ function reshaped(world: OwnWorld, at: number, points: Corner[]): OwnWorld {
 }
 
 /** The world with other corners for a floor, a line or a road. */
-export function withPoints(world: OwnWorld, thing: Thing, points: Corner[]): OwnWorld {
+export function withPoints(world: OwnWorld, thing: PartReference, points: Corner[]): OwnWorld {
   if (thing.kind === "road") return reshaped(world, thing.at, points);
   const part = partOf(world, thing);
   return part !== undefined && "points" in part ? withPart(world, thing, { ...part, points }) : world;

@@ -1,6 +1,6 @@
 /** The outlines of what lies around its middle: boxes, balls, and zones, which are circles or rectangles. */
 import type { OwnWorld } from "../types";
-import { type Part, partOf } from "./thing";
+import { type Part, partOf } from "./part-reference";
 
 /** A circle where `radius` is more than 0, else a rectangle; in mm. */
 export interface Shape {

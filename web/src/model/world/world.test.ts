@@ -6,15 +6,15 @@ import { useStudio } from "../studio";
 import { fileOf, missionOf, CARRIER } from "../testing/missions";
 import held from "../testing/worlds.json";
 import type { Mission, OwnWorld, World } from "../types";
-import { drawnWorld, lineOf } from "./drawn";
-import { endsOf, snapped, thingAt } from "./finding";
+import { drawnWorld, lineOf } from "./drawing";
+import { endsOf, snapped, thingAt } from "./hit-test";
 import { dragged, gripsOf } from "./grips";
 import { lineThrough, nearestOn, placeAt } from "./line";
-import { drawNew } from "./make";
-import { anchorOf, moved, startMoved } from "./moving";
+import { drawNew } from "./part-creation";
+import { anchorOf, moved, startMoved } from "./part-movement";
 import { withCut, withPoints, withSections } from "./roads";
-import { KINDS, thingNamed, thingsOf, tidy } from "./thing";
-import { added, removed, withDependents } from "./things";
+import { KINDS, thingNamed, partReferences, tidy } from "./part-reference";
+import { added, removed, withDependents } from "./part-edits";
 
 const WORLDS = held as unknown as { own: OwnWorld; drawn: World }[];
 const ring = WORLDS.find(({ own }) => own.name === "ring")?.own as OwnWorld;
@@ -89,7 +89,7 @@ describe("things", () => {
   });
 
   it("go where they are moved, and docks along their road", () => {
-    for (const thing of thingsOf(ring)) {
+    for (const thing of partReferences(ring)) {
       const after = moved(moved(ring, thing, 20, 0), thing, -20, 0);
       const [was, is] = [anchorOf(ring, thing), anchorOf(after, thing)];
       expect(Math.hypot((was?.x ?? 0) - (is?.x ?? 0), (was?.y ?? 0) - (is?.y ?? 0))).toBeLessThan(45);

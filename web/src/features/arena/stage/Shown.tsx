@@ -9,7 +9,7 @@ import { isEnded, useRun } from "../../../session/run";
 import { useShown } from "../../../session/simple-view";
 import { useStage } from "../../../session/stage";
 import { endAll } from "../../../ui/effects";
-import { setFacts } from "./Ending";
+import { setFacts } from "./EndCard";
 import { useGamepad } from "./gamepad";
 import { StageLayers } from "./layers";
 import { ShownMenu } from "./shown-menu";

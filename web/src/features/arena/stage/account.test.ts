@@ -3,7 +3,7 @@ import { beforeAll, describe, expect, it } from "vitest";
 import { moreWords } from "../../../i18n/words";
 
 import { accountOf, deedWords, drawnWords, type Facts, lengthWords } from "./account";
-import { awaitedAt } from "./awaited";
+import { awaitedAt } from "./awaited-sensors";
 import type { Deed } from "./deeds";
 import type { Line } from "./shape";
 

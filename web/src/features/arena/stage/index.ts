@@ -6,9 +6,9 @@ import "./stage.css";
 // The menu of a robot is asked for while something runs: its keys are pressed as soon as it opens.
 import "../RobotMenu";
 
-export { Ending } from "./Ending";
+export { EndCard } from "./EndCard";
 export { openShown } from "./shown-menu";
 export { Shown } from "./Shown";
 export { Switches } from "./Switches";
 export { toggle } from "./size";
-export { Watched } from "./Watched";
+export { RobotReadings } from "./RobotReadings";

@@ -19,7 +19,7 @@ import { isLive, type RunState, useRun } from "../../../session/run";
 import { fontOf, token, useTheme } from "../../../theme";
 import { endAll } from "../../../ui/effects";
 import type { Facts } from "./account";
-import { awaitedAt } from "./awaited";
+import { awaitedAt } from "./awaited-sensors";
 import { Confetti, reachedGoal } from "./confetti";
 import { Motion } from "./motion";
 import { type Ray, raysOf } from "./rays";

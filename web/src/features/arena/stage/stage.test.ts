@@ -4,7 +4,7 @@ import type { PoseFrame } from "../../../api/wire";
 import type { Actor } from "../../../components/scene/scene";
 import type { Robot } from "../../../model/types";
 import { reachedGoal } from "./confetti";
-import { causeOf } from "./Ending";
+import { causeOf } from "./EndCard";
 import { changes } from "./gamepad";
 import { LENGTHS_MS, notesOf } from "./melodies";
 import { Motion } from "./motion";

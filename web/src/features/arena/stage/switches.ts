@@ -3,7 +3,7 @@ import { create } from "zustand";
 
 import type { Key } from "../../../i18n/words";
 import { useStage } from "../../../session/stage";
-import { parseStored, readStored, writeStored } from "../../../ui/stored";
+import { parseStored, readStored, writeStored } from "../../../ui/browser-storage";
 
 export type Shows = "trails" | "rays" | "ahead" | "radio" | "names" | "tag" | "sound";
 

@@ -10,7 +10,7 @@ import { isLive, useRun } from "../../../session/run";
 import { Tile } from "../../../theme";
 import { FloatingMenu } from "../../../ui/FloatingMenu";
 import { followPointer } from "../../../ui/pointer-drag";
-import { type Goal, goalKey, placesOf, put, type Thing, whyNot } from "./moving";
+import { type Goal, goalKey, placesOf, put, type Thing, whyNot } from "./roster-moves";
 
 interface Dragged {
   thing: Thing | null;

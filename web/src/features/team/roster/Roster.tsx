@@ -10,7 +10,7 @@ import { useStudio } from "../../../model/studio";
 import { Tool } from "../../../ui/Tool";
 import { DragGhost } from "./Chip";
 import { addedGroup, Groups } from "./Groups";
-import { forgetSaid, usePut } from "./moving";
+import { forgetSaid, usePut } from "./roster-moves";
 import { addedRole, Roles, Spare } from "./Roles";
 import { addedWork, Works } from "./Works";
 import "./roster.css";

@@ -12,7 +12,7 @@ import type { Problem } from "../../../model/types";
 import { Icon } from "../../../theme";
 import { Tool } from "../../../ui/Tool";
 import { useOver } from "./Chip";
-import type { Goal } from "./moving";
+import type { Goal } from "./roster-moves";
 
 /** Why nothing declared can have that name, or "". */
 export function wrongName(name: string, work = false): string {

@@ -7,7 +7,7 @@ import { useStudio } from "../../model/studio";
 import { openLesson, setOpenLesson, useLessons } from "../../session/lessons";
 import { remember } from "../../session/open-exercise";
 import { useRun } from "../../session/run";
-import { keepExercise, leave, useExercise } from "./judging";
+import { keepExercise, leave, useExercise } from "./exercise-session";
 
 const goal = (kind: "run" | "check") => ({ label: { "": kind }, kind });
 const exercise: Exercise = {

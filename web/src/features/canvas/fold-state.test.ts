@@ -4,7 +4,7 @@ import { useStudio } from "../../model/studio";
 import { CARRIER, fileOf, missionOf } from "../../model/testing/missions";
 import { currentDrawing } from "../../session/drawing";
 import { foldedIn } from "../../session/folds";
-import { toggleFold, toggleFoldOfSelection } from "./folded";
+import { toggleFold, toggleFoldOfSelection } from "./fold-state";
 
 const shown = () => currentDrawing()?.layout.nodes.map((node) => node.id) ?? [];
 

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import { changeConstructor, changeVariable, removeVariable, usesOfConstructor } from "./commands/changeOwn";
-import { catalogueOf, OWN_GROUP } from "./own";
+import { catalogueOf, OWN_GROUP } from "./own-parts";
 import { partsOf } from "./parts";
 import { PARTS as CATALOGUE } from "./testing/parts";
 import type { Constructor, Mission, OwnVariable } from "./types";

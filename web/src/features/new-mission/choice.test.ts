@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 
 import type { Beginnings, RobotSet, BeginningPlace, Starter } from "../../api/generated";
-import { fittingFirst, NOTHING, settled, starterFits } from "./choosing";
+import { fittingFirst, NOTHING, settled, starterFits } from "./choice";
 
 const words = { label: {}, help: {} };
 const robotSet = (name: string, ...places: string[]): RobotSet => ({

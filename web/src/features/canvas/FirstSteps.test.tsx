@@ -7,7 +7,7 @@ import { useStudio } from "../../model/studio";
 import { fileOf, missionOf } from "../../model/testing/missions";
 import { useDrawing } from "../../session/drawing";
 import { mount, type Mounted } from "../../testing/hooks";
-import { EmptyTeaching } from "./EmptyTeaching";
+import { FirstSteps } from "./FirstSteps";
 
 await moreWords();
 
@@ -15,7 +15,7 @@ let page: Mounted;
 
 function Teaching() {
   const drawing = useDrawing();
-  return drawing === null ? null : <EmptyTeaching drawing={drawing} />;
+  return drawing === null ? null : <FirstSteps drawing={drawing} />;
 }
 
 beforeEach(() => {

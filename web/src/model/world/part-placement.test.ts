@@ -1,14 +1,14 @@
 import { describe, expect, it } from "vitest";
 
 import type { OwnWorld } from "../types";
-import { withStartsFor } from "./begun";
-import { drawnWorld } from "./drawn";
-import { thingAt } from "./finding";
+import { withStartsFor } from "./missing-starts";
+import { drawnWorld } from "./drawing";
+import { thingAt } from "./hit-test";
 import { dragged, gripsOf } from "./grips";
-import { drawNew } from "./make";
-import { anchorOf, moved } from "./moving";
-import { thingsOf } from "./thing";
-import { removed } from "./things";
+import { drawNew } from "./part-creation";
+import { anchorOf, moved } from "./part-movement";
+import { partReferences } from "./part-reference";
+import { removed } from "./part-edits";
 
 const WORLD: OwnWorld = {
   name: "w",
@@ -89,7 +89,7 @@ describe("what lies around its middle", () => {
     const left = removed(WORLD, [BOX, ROUND]);
     expect([left.boxes?.length, left.balls?.length, left.zones?.map(({ kind }) => kind)]).toEqual([0, 1, ["loud"]]);
     const { boxes: _, balls: __, zones: ___, ...bare } = WORLD;
-    expect(thingsOf(bare)).toEqual([{ kind: "wall", at: 0 }]);
+    expect(partReferences(bare)).toEqual([{ kind: "wall", at: 0 }]);
     expect(drawnWorld(WORLD).zones).toEqual(WORLD.zones);
     expect(drawnWorld(bare).zones).toEqual([]);
   });

@@ -56,7 +56,7 @@ function useCover(painter: Painter, shown: boolean) {
   return card;
 }
 
-export function Ending({ painter }: { painter: Painter }) {
+export function EndCard({ painter }: { painter: Painter }) {
   const run = useRun();
   const own = useLessons((lessons) => openLesson(lessons) === null);
   const goesOn = useLessons((lessons) => nextOfOpen(lessons) !== null);

@@ -5,7 +5,7 @@ import { choiceBy } from "./Choices";
 import { angleOf, usualAngles } from "./Dial";
 import { hzOf, octaveOf } from "./Piano";
 import { placeOfTime, timeAt } from "./Slider";
-import { isRounded, numberTyped, steppedBy, within } from "./typed";
+import { isRounded, numberTyped, steppedBy, within } from "./number-text";
 
 const PLAIN: Field = {
   name: "x",

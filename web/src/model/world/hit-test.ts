@@ -1,16 +1,16 @@
 /** What lies at a place of a world, and where something that is dragged comes to lie: on the grid or on an end nearby. */
 import type { OwnWorld } from "../types";
-import { lineOf } from "./drawn";
+import { lineOf } from "./drawing";
 import { gripsOf } from "./grips";
 import { nearestOn, offStretch } from "./line";
-import { anchorOf } from "./moving";
+import { anchorOf } from "./part-movement";
 import { offShape, shapeOf } from "./shape";
-import { GRID_MM, type Kind, partsOfKind, sameThing, type Thing } from "./thing";
+import { GRID_MM, type Kind, partsOfKind, isSamePart, type PartReference } from "./part-reference";
 
 const DOCK_MM = 70;
 const ROBOT_MM = 55;
 
-function offThing(world: OwnWorld, thing: Thing, x: number, y: number): number {
+function distanceToPart(world: OwnWorld, thing: PartReference, x: number, y: number): number {
   switch (thing.kind) {
     case "wall": {
       const wall = world.walls[thing.at];
@@ -63,10 +63,10 @@ export function thingAt(
   y: number,
   reach: number,
   kinds: readonly Kind[] = ON_TOP,
-): Thing | null {
+): PartReference | null {
   for (const kind of kinds) {
     const near = partsOfKind(world, kind)
-      .map((_, at) => ({ at, off: offThing(world, { kind, at }, x, y) }))
+      .map((_, at) => ({ at, off: distanceToPart(world, { kind, at }, x, y) }))
       .filter(({ off }) => off <= (LARGE.includes(kind) ? 0 : reach))
       .sort((a, b) => a.off - b.off || b.at - a.at)[0];
     if (near !== undefined) return { kind, at: near.at };
@@ -75,11 +75,11 @@ export function thingAt(
 }
 
 /** The ends of walls and lines that something dragged may take hold of. */
-export function endsOf(world: OwnWorld, but: readonly Thing[]): { x: number; y: number }[] {
+export function endsOf(world: OwnWorld, but: readonly PartReference[]): { x: number; y: number }[] {
   const kinds: Kind[] = ["wall", "floor", "line", "road"];
   return kinds.flatMap((kind) =>
     partsOfKind(world, kind).flatMap((_, at) =>
-      but.some((one) => sameThing(one, { kind, at }))
+      but.some((one) => isSamePart(one, { kind, at }))
         ? []
         : gripsOf(world, { kind, at }).filter((grip) => !grip.id.startsWith("cut")),
     ),

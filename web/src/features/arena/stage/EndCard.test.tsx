@@ -9,7 +9,7 @@ import { useRun } from "../../../session/run";
 import { type Hands, handsOn } from "../../../testing/hands";
 import { mount, type Mounted } from "../../../testing/hooks";
 import { lesson, setPath } from "../../../testing/lessons";
-import { Ending, setFacts } from "./Ending";
+import { EndCard, setFacts } from "./EndCard";
 import { StageLayers } from "./layers";
 
 const begin = vi.fn();
@@ -31,7 +31,7 @@ beforeEach(async () => {
   useRun.setState({ ...begun, status: "done", sentence: "Done.", name: "run-1" });
   const facts = { done: true, sentence: "Done.", atOnce: false, goals: { reached: 0, count: 0 }, lines: [] };
   setFacts({ ...facts, driven: [{ name: "robot-1", mm: 300 }], tickMs: 20, deeds: [], acted: true }, "run-1");
-  page = mount(<Ending painter={{ setCovered: () => undefined } as unknown as Painter} />);
+  page = mount(<EndCard painter={{ setCovered: () => undefined } as unknown as Painter} />);
   hands = handsOn(page);
 });
 afterEach(() => {

@@ -2,7 +2,7 @@
 import { describe, expect, it } from "vitest";
 
 import type { Member, Meeting, RunEvent } from "../../api/generated";
-import { eventsOf, eventsOfTeam } from "./watching";
+import { eventsOf, eventsOfTeam } from "./step-watch";
 
 function member(name: string, more: Partial<Member> = {}): Member {
   return { name, role: "driver", groups: [], stands_for: name, missed: false, ...more };

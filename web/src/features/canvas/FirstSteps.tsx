@@ -20,7 +20,7 @@ function inShort(help: string): string {
   return sentence.length <= MOST_LETTERS ? sentence : (/^[^,;:،؛]*/u.exec(sentence)?.[0] ?? sentence);
 }
 
-export function EmptyTeaching({ drawing }: { drawing: Drawing }) {
+export function FirstSteps({ drawing }: { drawing: Drawing }) {
   // The sheet for opening has the same.
   const choosing = useDocument((document) => document.overlay === "open");
   const start = drawing.structure.start?.id ?? "start";

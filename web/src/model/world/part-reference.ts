@@ -11,7 +11,7 @@ export const GRID_MM = 10;
 export const KINDS = ["wall", "floor", "line", "road", "storehouse", "dock", "start", "box", "ball", "zone"] as const;
 export type Kind = (typeof KINDS)[number];
 
-export interface Thing {
+export interface PartReference {
   kind: Kind;
   at: number;
 }
@@ -49,16 +49,16 @@ export function partOf<K extends Kind>(world: OwnWorld, thing: { kind: K; at: nu
   return partsOfKind(world, thing.kind)[thing.at];
 }
 
-export function sameThing(one: Thing, other: Thing): boolean {
+export function isSamePart(one: PartReference, other: PartReference): boolean {
   return one.kind === other.kind && one.at === other.at;
 }
 
-export function thingsOf(world: OwnWorld): Thing[] {
+export function partReferences(world: OwnWorld): PartReference[] {
   return KINDS.flatMap((kind) => partsOfKind(world, kind).map((_, at) => ({ kind, at })));
 }
 
 /** The thing that a problem is about, "road:0"; null when it is about none of this world. */
-export function thingNamed(world: OwnWorld | null | undefined, words: string | undefined): Thing | null {
+export function thingNamed(world: OwnWorld | null | undefined, words: string | undefined): PartReference | null {
   if (world == null) return null;
   const [kind = "", number = ""] = (words ?? "").split(":");
   const found = KINDS.find((one) => one === kind);

@@ -14,12 +14,12 @@ import { t } from "../../i18n/words";
 import { startOf } from "../../model/starts";
 import { useStudio } from "../../model/studio";
 import type { Mission, OwnWorld } from "../../model/types";
-import { drawnWorld } from "../../model/world/drawn";
-import { snapped, thingAt } from "../../model/world/finding";
-import { anchorOf, moved } from "../../model/world/moving";
+import { drawnWorld } from "../../model/world/drawing";
+import { snapped, thingAt } from "../../model/world/hit-test";
+import { anchorOf, moved } from "../../model/world/part-movement";
 import { nameOf } from "../../model/world/names";
 import { shapeOf } from "../../model/world/shape";
-import { type Kind, partsOfKind, sameThing, type Thing } from "../../model/world/thing";
+import { type Kind, partsOfKind, isSamePart, type PartReference } from "../../model/world/part-reference";
 import { keyIn } from "../../session/key-table";
 import { keepMoved } from "../../session/world-edits";
 import { awaitAnswer, endAll, listen } from "../../ui/effects";
@@ -35,14 +35,14 @@ const STEPS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowDown: [0, -1],
 };
 
-interface PlacingProps {
+interface PartPlacementProps {
   painter: Painter;
   canvas: RefObject<HTMLCanvasElement | null>;
   selected: string;
 }
 
 interface Drag {
-  thing: Thing;
+  thing: PartReference;
   began: OwnWorld;
   x: number;
   y: number;
@@ -52,10 +52,10 @@ interface Drag {
 }
 
 /** The robots of the mission by their starts, then boxes, balls and walls. */
-export function movable(world: OwnWorld, mission: Mission): Thing[] {
+export function movable(world: OwnWorld, mission: Mission): PartReference[] {
   const starts = new Set(mission.agents.map(startOf));
   const things = (["start", "box", "ball", "wall"] as const).flatMap((kind) =>
-    partsOfKind(world, kind).map((_, at): Thing => ({ kind, at })),
+    partsOfKind(world, kind).map((_, at): PartReference => ({ kind, at })),
   );
   return things.filter(({ kind, at }) => kind !== "start" || starts.has(world.starts[at]?.name ?? ""));
 }
@@ -75,9 +75,9 @@ function usePlan(): OwnWorld | null {
   return own ?? (fetched?.of === of ? fetched.world : null);
 }
 
-export function Placing({ painter, canvas: place, selected }: PlacingProps) {
+export function PartPlacement({ painter, canvas: place, selected }: PartPlacementProps) {
   const plan = usePlan();
-  const [taken, setTaken] = useState<Thing | null>(null);
+  const [taken, setTaken] = useState<PartReference | null>(null);
   const latest = useRef({ plan, taken, selected });
   useEffect(() => {
     latest.current = { plan, taken, selected };
@@ -140,7 +140,7 @@ export function Placing({ painter, canvas: place, selected }: PlacingProps) {
       const step = STEPS[event.key];
       if (keyIn(ARENA_KEYS, event) === "take") {
         const things = movable(world, useStudio.getState().mission);
-        const at = held === null ? -1 : things.findIndex((one) => sameThing(one, held));
+        const at = held === null ? -1 : things.findIndex((one) => isSamePart(one, held));
         const next = things[(at + (event.shiftKey ? things.length - 1 : 1) + things.length) % things.length];
         if (next === undefined) return;
         setTaken(next);
@@ -168,7 +168,7 @@ export function Placing({ painter, canvas: place, selected }: PlacingProps) {
 }
 
 /** Around the thing that is taken, wherever the view goes. */
-function Ring({ painter, world, thing }: { painter: Painter; world: OwnWorld; thing: Thing }) {
+function Ring({ painter, world, thing }: { painter: Painter; world: OwnWorld; thing: PartReference }) {
   const [view, setView] = useState(painter.camera);
   useEffect(() => {
     let request = 0;

@@ -1,10 +1,10 @@
 /** Where a thing of a world is, and the world with it somewhere else. */
 import type { OwnWorld } from "../types";
-import { dockPlace, roadLine, startPlace } from "./drawn";
+import { dockPlace, roadLine, startPlace } from "./drawing";
 import { nearestOn } from "./line";
 import { nearestRoad } from "./roads";
-import { partsOfKind, type Thing, tidy } from "./thing";
-import { withPart } from "./things";
+import { partsOfKind, type PartReference, tidy } from "./part-reference";
+import { withPart } from "./part-edits";
 
 /** How far beyond the edge of a road a dropped start still snaps to it. */
 const ROAD_REACH_MM = 60;
@@ -13,7 +13,7 @@ const ROAD_REACH_MM = 60;
 export function startMoved(world: OwnWorld, at: number, x: number, y: number): OwnWorld {
   const start = world.starts[at];
   if (start === undefined) return world;
-  const thing: Thing = { kind: "start", at };
+  const thing: PartReference = { kind: "start", at };
   if (start.at === "pose") return withPart(world, thing, { ...start, x_mm: tidy(x), y_mm: tidy(y) });
   if (start.at === "dock") {
     const [near] = world.docks
@@ -46,7 +46,7 @@ export function startMoved(world: OwnWorld, at: number, x: number, y: number): O
 }
 
 /** Where a thing is: what grids and numbers go by. */
-export function anchorOf(world: OwnWorld, { kind, at }: Thing): { x: number; y: number } | null {
+export function anchorOf(world: OwnWorld, { kind, at }: PartReference): { x: number; y: number } | null {
   switch (kind) {
     case "wall": {
       const wall = world.walls[at];
@@ -78,7 +78,7 @@ export function anchorOf(world: OwnWorld, { kind, at }: Thing): { x: number; y: 
 }
 
 /** The world with a thing so many mm further; docks, and starts on a road, move along it. */
-export function moved(world: OwnWorld, thing: Thing, dx: number, dy: number): OwnWorld {
+export function moved(world: OwnWorld, thing: PartReference, dx: number, dy: number): OwnWorld {
   const { kind, at } = thing;
   switch (kind) {
     case "wall": {

@@ -2,8 +2,8 @@
 import { freeName } from "../free-name";
 import type { OwnWorld } from "../types";
 import { nearestRoad } from "./roads";
-import { type Kind, type Part, partsOfKind, type Thing, tidy } from "./thing";
-import { added } from "./things";
+import { type Kind, type Part, partsOfKind, type PartReference, tidy } from "./part-reference";
+import { added } from "./part-edits";
 
 export interface Spot {
   x: number;
@@ -128,7 +128,7 @@ export function drawNew(
   kind: Kind,
   from: Spot,
   to: Spot | null,
-): { world: OwnWorld; thing: Thing } | null {
+): { world: OwnWorld; thing: PartReference } | null {
   const [width, height] = SIZE[kind];
   const a = to === null ? { x: from.x - width / 2, y: from.y - height / 2 } : from;
   const b = to ?? { x: from.x + width / 2, y: from.y + height / 2 };

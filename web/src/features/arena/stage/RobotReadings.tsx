@@ -34,7 +34,7 @@ export function reading(robot: Robot | undefined, name: string, value: number): 
   return String(value);
 }
 
-export function Watched() {
+export function RobotReadings() {
   const scene = useScene();
   const selected = useSelected(scene);
   const actor = scene?.actors.find(({ name }) => name === selected);

@@ -10,7 +10,7 @@ import { Button } from "../ui/Button";
 
 const SHOWN_PROBLEMS = 3;
 
-export function Refused({ refused }: { refused: WhyRefused | null }) {
+export function Refusal({ refused }: { refused: WhyRefused | null }) {
   if (refused === null) return null;
   const errors = refused.problems.filter(({ severity }) => severity === "error");
   return (
