@@ -10,10 +10,14 @@ import base64
 import json
 import subprocess
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
+from time import monotonic
 
 import kitrobot_onboard
+from kitrobot.deploy.line.board import Board, Hello
 from tests.boards.node_board import NodeBoard
+from tests.patience import PATIENCE_S
 from tools import page
 
 HERE = Path(__file__).resolve().parent / "webassembly"
@@ -39,6 +43,19 @@ def onboard_files() -> dict[str, bytes]:
         f"kitrobot_onboard/{path.relative_to(folder).as_posix()}": path.read_bytes() for path in folder.rglob("*.py")
     }
     return files | {path.name: path.read_bytes() for path in (HERE.parent / "recording").glob("*.py")}
+
+
+def greet_until(board: Board, is_there: Callable[[Hello], bool]) -> Hello:
+    """Greets a board until it is so, and listens to it between two greetings.
+
+    MicroPython in WebAssembly never closes the file of its answers, and has room for 4096 open files: a board that is
+    greeted as fast as it answers has none left before a busy machine has done some ticks.
+    """
+    end = monotonic() + PATIENCE_S
+    while not is_there(hello := board.greet()):
+        assert monotonic() < end, f"the board stays at {hello}"
+        board.news(0.1)
+    return hello
 
 
 def run(files: dict[str, bytes], name: str, timeout_s: float = 120) -> str:

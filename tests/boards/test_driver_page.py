@@ -12,7 +12,7 @@ import pytest
 from kitrobot.boards.programs import load_board_program
 from kitrobot.deploy.installation.deployment import deploy
 from kitrobot.deploy.line.handshake import connect
-from tests.boards.modern import ModernBoard
+from tests.boards.modern import ModernBoard, greet_until
 from tests.boards.test_modern_robot import pins_told
 from tests.patience import PATIENCE_S
 
@@ -43,8 +43,7 @@ def test_the_example_is_deployed_and_beeps_twice_when_the_battery_is_low(kit: Mo
     deploy(kit.address, program.file.to_bytes(), program.package)
     with connect(kit.address, PATIENCE_S) as line:
         # No volts at all: the battery is empty, so it beeps at once and ends.
-        while line.greet().state != 3:
-            assert line.last_fault() is None
+        greet_until(line, lambda hello: hello.state == 3)
     told = [entry for entry in pins_told(kit) if entry[0] == BUZZER]
     sounds = [(what, value) for _, what, value in told if (what, value) != ("duty", 0)]
     loud = ("duty", 50 * 32767 // 100)

@@ -7,7 +7,7 @@ from pathlib import Path
 from kitrobot.deploy.line.board import Board
 from kitrobot.deploy.line.handshake import connect
 from tests.boards.alvik import HEARD, NOTHING, STANDING, TURNED, frame
-from tests.boards.modern import ModernBoard, onboard_files
+from tests.boards.modern import ModernBoard, greet_until, onboard_files
 from tests.boards.test_modern_robot import deploy_by_command, pins_told
 from tests.patience import PATIENCE_S
 
@@ -16,8 +16,7 @@ MOTORS = (2, 3, 4, 5)
 
 
 def until_it_did(board: Board, ticks: int) -> None:
-    while (hello := board.greet()).state == 2 and hello.tick < ticks:
-        board.news(0.2)
+    greet_until(board, lambda hello: hello.state != 2 or hello.tick >= ticks)
 
 
 def test_square_drives_and_turns_on_a_pico_with_two_motors_and_stop_stops_them(kit: ModernBoard) -> None:

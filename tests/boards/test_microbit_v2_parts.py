@@ -27,7 +27,7 @@ from kitrobot.primitives.robot import Category
 from kitrobot.robots.program import BoardProgram
 from tests.boards.hex_sections import section
 from tests.boards.kit_steps import results_of
-from tests.boards.modern import ModernBoard
+from tests.boards.modern import ModernBoard, greet_until
 from tests.boards.qemu import Emulated
 from tests.boards.test_microbit_v2 import board, goes_on
 from tests.boards.test_modern_robot import pins_told
@@ -150,8 +150,7 @@ def test_a_hex_of_a_v2_waits_for_the_logo_and_for_a_noise_and_is_quiet_at_its_en
     with running(made) as v2:
         with connect(v2.address, PATIENCE_S) as link:
             assert link.hello.program in made.called
-            while link.greet().state != 3:
-                assert link.last_fault() is None
+            greet_until(link, lambda hello: hello.state == 3)
         assert sounds(v2) == [QUIET, BEEP, QUIET, ("play", ("JUMP_UP", None)), QUIET]
 
 
@@ -161,8 +160,7 @@ def test_nothing_sounds_after_stop(tmp_path: Path, kit: str | None) -> None:
     with running(made) as v2:
         with connect(v2.address, PATIENCE_S) as link:
             goes_on(link)
-            while link.greet().tick <= 70:
-                assert link.last_fault() is None
+            greet_until(link, lambda hello: hello.tick > 70)
             link.stop()
             assert link.last_fault() is None
         pin = None if kit is not None else 0

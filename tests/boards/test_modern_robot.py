@@ -23,7 +23,7 @@ from kitrobot.image.machine import Layout, Machine
 from kitrobot.lll.printer import print_program
 from kitrobot.primitives.catalogue import load_catalogue
 from kitrobot_onboard.link import wrap
-from tests.boards.modern import ModernBoard
+from tests.boards.modern import ModernBoard, greet_until
 from tests.effort import THOROUGH
 from tests.patience import PATIENCE_S
 from tests.strategies import Shape, TickInputs, random_program, random_script
@@ -149,8 +149,7 @@ def test_watching_tells_variables_and_inputs_and_a_variable_can_be_set(kit: Mode
         board.force(layout.sensors["Captor"], 33)
         assert told_value(board, layout.sensors["Captor"], 33)
         board.set(cell, 100)
-        while board.greet().state != 3:
-            pass
+        greet_until(board, lambda hello: hello.state == 3)
         assert board.last_fault() is None
 
 

@@ -3,7 +3,7 @@
  *
  * The server tells; this only keeps. A robot's message is whole each time. Which program is to go to which robot, and the
  * addresses on the network that were typed, are remembered in this browser. Left to others: the socket (`socket.ts`), what can
- * be done (`acts.ts`), the run that the canvas shows (`shown.ts`).
+ * be done (`acts.ts`), the run that the canvas shows (`board-run.ts`).
  */
 import { create } from "zustand";
 
