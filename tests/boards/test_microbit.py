@@ -293,6 +293,10 @@ def test_a_program_arrives_over_a_line_that_loses_changes_and_adds_bytes(
     assert program.is_called(runs(used_microbit.address))
 
 
+@pytest.mark.thorough(
+    "test_microbit_2016.test_what_is_too_large_is_refused_before_anything_on_the_board_changes;"
+    " deploy/test_room_of_2016.py: flash without room is said before anything is removed or written"
+)
 def test_a_program_that_does_not_fit_is_refused_and_the_old_one_goes_on(
     used_microbit: Emulated, tmp_path: Path
 ) -> None:
@@ -373,6 +377,10 @@ def test_all_devices_of_it_work_there(tmp_path: Path, text: str) -> None:
             assert link.last_fault() is None
 
 
+@pytest.mark.thorough(
+    "deploy/test_flash.py: pages without anything in them are erased for a block, files and blocks stay whole, freed"
+    " room counts; test_three_hundred_instructions_fit_and_give_the_same_commands_in_every_tick"
+)
 def test_a_program_that_fills_the_flash_is_sent_afresh_whatever_lies_freed_beside_its_loop(
     used_microbit: Emulated, tmp_path: Path
 ) -> None:

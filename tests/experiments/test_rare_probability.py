@@ -15,7 +15,7 @@ from tests.effort import THOROUGH
 from tests.experiments.conftest import TEXT
 
 ROBOTS = ("ann", "ben", "cem") if THOROUGH else ("ann", "ben")
-BRANCHES = 12_000 if THOROUGH else 800
+BRANCHES = 12_000 if THOROUGH else 400
 RATE = 0.9
 ONE = 1 - (1 - RATE) ** (2 / 60)
 """The probability that a robot fails in two seconds: it has a turn to fail in each."""
