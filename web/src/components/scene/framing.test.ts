@@ -2,7 +2,18 @@ import { describe, expect, it } from "vitest";
 
 import type { World } from "../../model/types";
 import { fitBox, toScreen } from "./camera";
-import { around, atLeast, cameraBetween, EMPTY, isEmpty, isOnScreen, sightsOf, subjectOf, union } from "./framing";
+import {
+  around,
+  atLeast,
+  cameraBetween,
+  contentOf,
+  EMPTY,
+  isEmpty,
+  isOnScreen,
+  sightsOf,
+  subjectOf,
+  union,
+} from "./framing";
 import { Viewpoint } from "./viewpoint";
 
 const ROOM = { width: 500, height: 600 };
@@ -26,17 +37,43 @@ describe("what there is to see", () => {
 
   it("is the robots and where they have been, and everything in a small world and of a crowd", () => {
     const been = union(around(500, 500, 0), around(900, 900, 0));
-    expect(subjectOf(room, [robot(500, 500)], been, WHOLE)).toEqual({ left: 438, right: 900, bottom: 438, top: 900 });
-    expect(subjectOf(room, [robot(500, 500)], been, { ...WHOLE, scale: 0.5 })).toBeNull();
-    expect(subjectOf(room, [], been, WHOLE)).toBeNull();
+    expect(subjectOf(room, [robot(500, 500)], been, WHOLE, ROOM)).toEqual({
+      left: 438,
+      right: 900,
+      bottom: 438,
+      top: 900,
+    });
+    expect(subjectOf(room, [robot(500, 500)], been, { ...WHOLE, scale: 0.5 }, ROOM)).toBeNull();
+    expect(subjectOf(room, [], been, WHOLE, ROOM)).toBeNull();
     expect(
       subjectOf(
         room,
         Array.from({ length: 25 }, () => robot(1, 1)),
         EMPTY,
         WHOLE,
+        ROOM,
       ),
     ).toBeNull();
+  });
+
+  it("is everything where the camera on that is nearer, unless a robot has left it", () => {
+    const road = {
+      name: "road",
+      points: [
+        [400, 400],
+        [1000, 400],
+      ],
+      width_mm: 200,
+      closed: false,
+      radius_mm: 0,
+    };
+    const world = { ...room, roads: [road] } as unknown as World;
+    expect(sightsOf(world)).toEqual({ left: 250, right: 1150, bottom: 250, top: 550 });
+    const small = { width: 300, height: 150 };
+    const whole = fitBox(contentOf(world, []), small, 0);
+    expect(subjectOf(world, [robot(700, 400)], EMPTY, whole, small)).toBeNull();
+    expect(subjectOf(world, [robot(700, 900)], EMPTY, whole, small)?.top).toBe(962);
+    expect(subjectOf(world, [robot(700, 400)], EMPTY, WHOLE, small)).toEqual(sightsOf(world));
   });
 
   it("has a least size around the same middle", () => {

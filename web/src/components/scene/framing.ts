@@ -6,8 +6,10 @@ import type { World } from "../../model/types";
 import type { Box, Camera, Room } from "./camera";
 import { ROBOT_MM } from "./geometry";
 
-/** Room around what lies in the world, so that a robot has place beside it, and around the body of a robot. */
-const [BESIDE_MM, BODY] = [150, 0.62];
+/** Room around what lies in the world, so that a robot has place beside it; around roads, which robots do not leave. */
+const [BESIDE_MM, ROADSIDE_MM] = [150, 50];
+/** Around the middle of a robot, in its lengths. */
+const BODY = 0.62;
 /** A world is small when a usual robot is so long on the screen while all of it is shown, in px. */
 const SEEN_WELL_PX = 64;
 /** Of a crowd all is shown. */
@@ -70,36 +72,50 @@ function innerWalls({ walls }: World): [number, number][] {
   });
 }
 
+function inside({ width_mm, height_mm }: World, box: Box): Box {
+  return {
+    left: Math.max(box.left, 0),
+    right: Math.min(box.right, width_mm),
+    bottom: Math.max(box.bottom, 0),
+    top: Math.min(box.top, height_mm),
+  };
+}
+
 const known = new WeakMap<World, Box>();
 
-/** The box around what there is to see in a world besides robots; empty in an empty room. */
+/** The box around what there is to see in a world besides robots, with room around it; empty in an empty room. */
 export function sightsOf(world: World): Box {
   const before = known.get(world);
   if (before !== undefined) return before;
-  let box = pointsBox(innerWalls(world));
-  for (const { points, width_mm } of [...world.roads, ...world.lines])
-    box = union(box, pointsBox(points, width_mm / 2));
-  for (const { points } of world.floors) box = union(box, pointsBox(points));
+  let box = pointsBox(innerWalls(world), BESIDE_MM);
+  for (const { points, width_mm } of world.roads) box = union(box, pointsBox(points, width_mm / 2 + ROADSIDE_MM));
+  for (const { points, width_mm } of world.lines) box = union(box, pointsBox(points, width_mm / 2 + BESIDE_MM));
+  for (const { points } of world.floors) box = union(box, pointsBox(points, BESIDE_MM));
+  const add = (x: number, y: number, width: number, height: number, beside = BESIDE_MM) => {
+    box = union(box, around(x, y, width / 2 + beside, height / 2 + beside));
+  };
   for (const { x_mm, y_mm, width_mm, height_mm } of world.storehouses) {
-    box = union(box, around(x_mm + width_mm / 2, y_mm + height_mm / 2, width_mm / 2, height_mm / 2));
+    add(x_mm + width_mm / 2, y_mm + height_mm / 2, width_mm, height_mm, ROADSIDE_MM);
   }
-  for (const { x_mm, y_mm, width_mm, height_mm } of world.things ?? []) {
-    box = union(box, around(x_mm, y_mm, width_mm / 2, height_mm / 2));
-  }
+  for (const { x_mm, y_mm, width_mm, height_mm } of world.things ?? []) add(x_mm, y_mm, width_mm, height_mm);
   for (const { x_mm, y_mm, radius_mm, width_mm, height_mm } of world.zones ?? []) {
-    box = union(box, around(x_mm, y_mm, Math.max(radius_mm, width_mm / 2), Math.max(radius_mm, height_mm / 2)));
+    add(x_mm, y_mm, Math.max(2 * radius_mm, width_mm), Math.max(2 * radius_mm, height_mm));
   }
-  const whole = { left: 0, right: world.width_mm, bottom: 0, top: world.height_mm };
-  const sights = isEmpty(box)
-    ? box
-    : {
-        left: Math.max(box.left - BESIDE_MM, whole.left),
-        right: Math.min(box.right + BESIDE_MM, whole.right),
-        bottom: Math.max(box.bottom - BESIDE_MM, whole.bottom),
-        top: Math.min(box.top + BESIDE_MM, whole.top),
-      };
+  const sights = isEmpty(box) ? box : inside(world, box);
   known.set(world, sights);
   return sights;
+}
+
+/** The box around all that a world has, and around robots at these places; the whole world where it has nothing else. */
+export function contentOf(world: World, places: readonly { x_mm: number; y_mm: number }[]): Box {
+  const ends = world.walls.flatMap(({ x1, y1, x2, y2 }): [number, number][] => [
+    [x1, y1],
+    [x2, y2],
+  ]);
+  const content = union(sightsOf(world), pointsBox(ends, BESIDE_MM));
+  if (isEmpty(content)) return { left: 0, right: world.width_mm, bottom: 0, top: world.height_mm };
+  const robots = [...world.starts, ...places].map(({ x_mm, y_mm }): [number, number] => [x_mm, y_mm]);
+  return inside(world, union(content, pointsBox(robots, ROBOT_MM * BODY)));
 }
 
 interface RobotBody {
@@ -109,17 +125,28 @@ interface RobotBody {
 }
 
 /**
- * What is to be seen now; null where that is all there is: a crowd, nobody, or a world that is small beside `whole`, the
- * camera that shows all of it.
+ * What is to be seen now; null where that is all there is: a crowd, nobody, a world that is small beside `whole`, the
+ * camera that shows all of it in the room, or one that this camera shows from nearer.
  *
  * @param been where robots have been, as far as anybody saw it.
  */
-export function subjectOf(world: World, robots: readonly RobotBody[], been: Box, whole: Camera): Box | null {
+export function subjectOf(
+  world: World,
+  robots: readonly RobotBody[],
+  been: Box,
+  whole: Camera,
+  room: Room,
+): Box | null {
   if (robots.length === 0 || robots.length > CROWD || whole.scale * ROBOT_MM >= SEEN_WELL_PX) return null;
-  return robots.reduce(
+  const actors = robots.reduce(
     (box, { x_mm, y_mm, length_mm }) => union(box, around(x_mm, y_mm, length_mm * BODY)),
-    union(sightsOf(world), been),
+    been,
   );
+  const subject = union(sightsOf(world), actors);
+  const isAsLarge =
+    (subject.right - subject.left) * whole.scale >= room.width ||
+    (subject.top - subject.bottom) * whole.scale >= room.height;
+  return isAsLarge && isOnScreen(actors, whole, room, 0) ? null : subject;
 }
 
 /** Whether all of a box is on a screen of that size, `margin` px from its edges at least. */

@@ -102,38 +102,3 @@ export function boundsOf(road: Road): Box {
   const ys = road.points.map(([, y]) => y);
   return { left: Math.min(...xs), right: Math.max(...xs), bottom: Math.min(...ys), top: Math.max(...ys) };
 }
-
-/** Room around what is there, so that a robot has place beside it. */
-const AROUND_MM = 150;
-
-/** The box around all that a world has besides starts, and around these points; the whole world where it has nothing else. */
-export function contentOf(world: World, points: readonly { x_mm: number; y_mm: number }[]): Box {
-  const whole = { left: 0, right: world.width_mm, bottom: 0, top: world.height_mm };
-  const content: Box = { left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity };
-  const add = (x: number, y: number, around = 0) => {
-    content.left = Math.min(content.left, x - around);
-    content.right = Math.max(content.right, x + around);
-    content.bottom = Math.min(content.bottom, y - around);
-    content.top = Math.max(content.top, y + around);
-  };
-  for (const { x1, y1, x2, y2 } of world.walls) {
-    add(x1, y1);
-    add(x2, y2);
-  }
-  for (const { points: corners, width_mm } of [...world.roads, ...world.lines]) {
-    for (const [x, y] of corners) add(x, y, width_mm / 2);
-  }
-  for (const floor of world.floors) for (const [x, y] of floor.points) add(x, y);
-  for (const { x_mm, y_mm, width_mm, height_mm } of world.storehouses) {
-    add(x_mm, y_mm);
-    add(x_mm + width_mm, y_mm + height_mm);
-  }
-  if (content.left > content.right) return whole;
-  for (const { x_mm, y_mm } of [...world.starts, ...points]) add(x_mm, y_mm);
-  return {
-    left: Math.max(content.left - AROUND_MM, whole.left),
-    right: Math.min(content.right + AROUND_MM, whole.right),
-    bottom: Math.max(content.bottom - AROUND_MM, whole.bottom),
-    top: Math.min(content.top + AROUND_MM, whole.top),
-  };
-}

@@ -14,8 +14,7 @@ import { type Colours, readColours } from "./colours";
 import { CROWD } from "./crowd-size";
 import { type Boards, drawActors, drawRing, ringOf, type Said, type Seldom } from "./draw-robots";
 import { type Brush, drawWorld, robotUnit, unitOf } from "./draw-world";
-import { EMPTY, subjectOf } from "./framing";
-import { contentOf } from "./geometry";
+import { contentOf, EMPTY, subjectOf } from "./framing";
 import type * as OnFloorChunk from "./on-floor";
 import { lookAt, type Scene, type Seen } from "./scene";
 import { Viewpoint } from "./viewpoint";
@@ -43,7 +42,7 @@ export interface Layers {
 export class Painter {
   private readonly canvas: HTMLCanvasElement;
   private room: Room = { width: 0, height: 0 };
-  readonly viewpoint = new Viewpoint({ whole: () => this.whole(), subject: () => this.subject() });
+  readonly viewpoint = new Viewpoint({ whole: (free) => this.whole(free), subject: (free) => this.subject(free) });
   private scene: Scene | null = null;
   private selected = "";
   private program = "";
@@ -136,24 +135,25 @@ export class Painter {
     this.paint();
   }
 
-  private whole(): Camera {
+  private whole(room = this.room): Camera {
     const world = this.scene?.world;
     if (world === undefined) return this.camera;
     // Who draws a world sees all of it; who runs one sees what is there.
-    if (this.margin !== null) return fit(world, this.room, this.margin);
+    if (this.margin !== null) return fit(world, room, this.margin);
     const poses = this.seen(performance.now()).seen.map(({ pose }) => pose);
-    return fitBox(contentOf(world, poses), this.room, world.walls.length > 0 ? WALL_MARGIN : 0);
+    return fitBox(contentOf(world, poses), room, world.walls.length > 0 ? WALL_MARGIN : 0);
   }
 
   /** What is to be seen of that; null for all of it. */
-  private subject(): Box | null {
+  private subject(room: Room): Box | null {
     const scene = this.scene;
     if (scene === null || this.margin !== null) return null;
     const robots = this.seen(performance.now()).seen.map(({ actor, pose }) => ({
       ...pose,
       length_mm: actor.length_mm,
     }));
-    return subjectOf(scene.world, robots, scene.running ? (this.layers?.been() ?? EMPTY) : EMPTY, this.whole());
+    const been = scene.running ? (this.layers?.been() ?? EMPTY) : EMPTY;
+    return subjectOf(scene.world, robots, been, this.whole(room), room);
   }
 
   showAll(): void {

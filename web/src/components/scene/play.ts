@@ -14,7 +14,7 @@ import { drawActors, type Seldom } from "./draw-robots";
 import { drawThings, type Place } from "./draw-things";
 import { type Brush, drawWorld, unitOf } from "./draw-world";
 import * as figures from "./figures";
-import { contentOf } from "./geometry";
+import { contentOf } from "./framing";
 import { LIDS } from "./lids";
 import { drawStrokes, strokesOf } from "./pen-strokes";
 import { actorsOf, lookAt, type Scene, sceneOf } from "./scene";

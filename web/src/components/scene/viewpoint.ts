@@ -16,10 +16,10 @@ const EASE_MS = 320;
 const CAPTION_PX = 28;
 
 interface Sights {
-  /** The camera that shows all there is. */
-  whole: () => Camera;
+  /** The camera that shows all there is in the part of the canvas that nothing covers. */
+  whole: (free: Room) => Camera;
   /** What is to be seen of all that; null for all of it. */
-  subject: () => Box | null;
+  subject: (free: Room) => Box | null;
 }
 
 export class Viewpoint {
@@ -41,19 +41,19 @@ export class Viewpoint {
     return this.covered > 0;
   }
 
-  /** The part of the canvas that nothing covers. */
-  private get free(): Room {
+  /** The part of the canvas that nothing covers, so many px at its bottom at least. */
+  private free(least = 0): Room {
     const { width, height } = this.room;
-    return { width, height: Math.max(height - Math.max(this.covered, CAPTION_PX), height / 3) };
+    return { width, height: Math.max(height - Math.max(this.covered, least), height / 3) };
   }
 
   private target(subject: Box | null, more = 1): Camera {
-    if (subject === null) return this.sights.whole();
-    return fitBox(atLeast(subject, this.open ? OPEN_MM : CLOSE_MM, more), this.free, MARGIN_PX);
+    if (subject === null) return this.sights.whole(this.free());
+    return fitBox(atLeast(subject, this.open ? OPEN_MM : CLOSE_MM, more), this.free(CAPTION_PX), MARGIN_PX);
   }
 
   private subject(): Box | null {
-    return this.aim === "whole" ? null : this.sights.subject();
+    return this.aim === "whole" ? null : this.sights.subject(this.free());
   }
 
   private go(to: Camera): void {
@@ -111,7 +111,7 @@ export class Viewpoint {
     if (moving && this.aim === "subject") {
       const subject = this.subject();
       const there = this.way?.to ?? this.camera;
-      if (subject !== null && !isOnScreen(subject, there, this.free, MARGIN_PX / 2)) {
+      if (subject !== null && !isOnScreen(subject, there, this.free(CAPTION_PX), MARGIN_PX / 2)) {
         this.go(this.target(subject, this.open ? MORE : 1));
       }
     }

@@ -4,7 +4,8 @@ import { fit, fitBox, toScreen, toWorld, zoomAt } from "../../components/scene/c
 import { isCrowd } from "../../components/scene/crowd-size";
 import { ringOf } from "../../components/scene/draw-robots";
 import { robotUnit } from "../../components/scene/draw-world";
-import { contentOf, nearestOn, placeAlong, roadLength, signAt } from "../../components/scene/geometry";
+import { contentOf } from "../../components/scene/framing";
+import { nearestOn, placeAlong, roadLength, signAt } from "../../components/scene/geometry";
 import { hasOtherPlaces, lookAt, roleAt, sceneBefore, sceneOfReal, totalOf } from "../../components/scene/scene";
 import { placeTag } from "../../components/scene/tag-place";
 import { moreWords } from "../../i18n/words";
@@ -271,7 +272,10 @@ describe("what a world opens with", () => {
   const room = { width: 400, height: 400 };
 
   it("is what is there, with room around it, inside the world", () => {
-    expect(contentOf(YARD, [])).toEqual({ left: 150, right: 1050, bottom: 150, top: 650 });
+    const content = contentOf(YARD, []);
+    expect([content.left, content.right, content.bottom]).toEqual([150, 1050, 150]);
+    // A robot is half as long as its room above the start.
+    expect(content.top).toBeCloseTo(583.7);
     expect(contentOf(YARD, [{ x_mm: 3990, y_mm: 500 }]).right).toBe(4000);
     expect(fitBox(contentOf(YARD, []), room, 0).scale).toBeCloseTo(400 / 900);
   });
