@@ -30,7 +30,7 @@ MOST_GIVEN: Final = 64
 MOST_FALSE_STARTS: Final = 8
 """Processes that may die before they are ready while no row comes, before the study is given up."""
 _SEND_S: Final = 0.01
-"""How long a row waits for others to be sent with, in seconds; one that takes longer is sent alone."""
+"""Seconds of its processor that a process works for rows before it sends them; one that takes longer goes alone."""
 _LOOK_S: Final = 0.2
 """How long nobody looks whether the work is to end while no row comes, in seconds."""
 
@@ -161,12 +161,12 @@ def _work(line: Any, at: Any, plan: Plan, functions: Mapping[str, Function], pac
     with suppress(EOFError, OSError):
         line.send_bytes(b"")
         while True:
-            rows, since = bytearray(), time.monotonic()
+            rows, since = bytearray(), time.process_time()
             for row in line.recv():
                 at.value = row
                 rows += runner.run(row)
-                if time.monotonic() - since > _SEND_S:
+                if time.process_time() - since > _SEND_S:
                     line.send_bytes(rows)
-                    rows, since = bytearray(), time.monotonic()
+                    rows, since = bytearray(), time.process_time()
             if rows:
                 line.send_bytes(rows)
