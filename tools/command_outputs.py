@@ -1,9 +1,10 @@
 """What commands print, in the pages of docs: a block behind `<!-- prints: COMMAND -->` is that command's output.
 
 `python -m tools.command_outputs` names the blocks that no longer say what the command prints, `--write` puts today's
-in their place. The commands run in an empty folder with the examples and the files of `FILES`. A pipe to `head N` or to
-`lines A-B` keeps a part of the output; long lines of JSON are broken. What a clock decides is compared as "some number"
-and stays as it stands, so that a page changes only when something else did.
+in their place. The commands run in an empty folder with the examples and the files of `FILES`, those of all pages one
+after another. A pipe to `head N` or to `lines A-B` keeps a part of the output, one to `shown` has the command stand
+above it; long lines of JSON are broken. What a clock decides is compared as "some number" and stays as it stands, so
+that a page changes only when something else did.
 """
 
 from __future__ import annotations
@@ -22,12 +23,29 @@ from pathlib import Path
 from kitrobot.cli.app import main as kitrobot
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGES = ("docs/cli.md",)
+PAGES = ("docs/cli.md", "docs/fastest-program.md", "docs/second-spare.md", "docs/how-sure.md")
 WIDTH = 118
 BLOCK = re.compile(r"(<!-- prints: (?P<command>.+?) -->\n```\w*\n)(?P<output>.*?)(?=^```$)", re.DOTALL | re.MULTILINE)
-CLOCK = re.compile(r'("real_seconds": |"speed": )[\d.]+')
-FILES = {"p.lll": "*[Run.IsTrue()](\n  Wheel.Advnce(50);\n);\n"}
+CLOCK = re.compile(r'("real_seconds": |"speed": |real time +)[\d.]+')
+LINE_FOLLOWER = """*[!(LeftEye.IsGreen() | RightEye.IsGreen())](
+  [LeftEye.IsBlue()](LeftWheel.Forward({slow}); RightWheel.Forward({fast});)!(
+    [RightEye.IsBlue()](LeftWheel.Forward({fast}); RightWheel.Forward({slow});)!(
+      LeftWheel.Forward({fast}); RightWheel.Forward({fast});
+    );
+  );
+);
+LeftWheel.Stop();
+RightWheel.Stop();
+"""
+FILES = {
+    "p.lll": "*[Run.IsTrue()](\n  Wheel.Advnce(50);\n);\n",
+    "ann.lll": LINE_FOLLOWER.format(slow=10, fast=60),
+    "bo.lll": LINE_FOLLOWER.format(slow=12, fast=61),
+    "cem.lll": LINE_FOLLOWER.format(slow=10, fast=100),
+}
 RECORDED = "run examples/transport/transport.krt --trace ring.krtrace"
+ONE_PROCESS = " --jobs 1"
+"""Of a command that is shown: what nobody types, as it changes nothing but the time."""
 SLOWER = ('<set name="speed">50</set>', '<set name="speed">30</set>')
 
 
@@ -47,7 +65,7 @@ def prepared() -> Iterator[Path]:
 
 
 def printed(command: str, folder: Path) -> str:
-    """What a page shows of a command: `kitrobot …`, with `| head N` or `| lines A-B` behind it."""
+    """What a page shows of a command: `kitrobot …`, with `| head N`, `| lines A-B` or `| shown` behind it."""
     words, _, part = command.partition(" | ")
     lines = _run(words.removeprefix("kitrobot "), folder).splitlines()
     kind, _, number = part.partition(" ")
@@ -56,6 +74,9 @@ def printed(command: str, folder: Path) -> str:
     elif kind == "lines":
         first, _, last = number.partition("-")
         lines = lines[int(first) - 1 : int(last)]
+    elif kind == "shown":
+        line = f"$ {words}".replace(ONE_PROCESS, "")
+        lines = [*" \\\n".join(textwrap.wrap(line, WIDTH - 2, subsequent_indent="      ")).split("\n"), *lines]
     return "".join(f"{broken}\n" for line in lines for broken in _broken(line))
 
 

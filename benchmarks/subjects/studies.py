@@ -30,6 +30,8 @@ from kitrobot.workspace.mission_loader import OpenMission
 TITLE = "studies"
 SPACING_MM = 400.0
 SECONDS, STEPS = 2.0, 100
+LONGER = 10
+"""How many times as long the longer runs of the little model are."""
 PROGRAM = "Wheel.Advance(30); *[Captor.LessThan(1000)]([Captor.LessThan(15)](Motor.AbsoluteTurn(25, 50);));"
 MEASURED = "distance, near=time any go (Captor.LessThan(30))"
 """What is added up after every step."""
@@ -79,12 +81,18 @@ def _small(size: Size, peers: bool) -> list[Row]:
     runner = PointRunner(plan, pace=Pace.COMPILED)
     measured_plan = replace(plan, measures=tuple(read_measures([MEASURED])))
     measured = PointRunner(measured_plan, pace=Pace.COMPILED)
+    longer_runs = max(1, size.small // LONGER)
+    longer_plan = plan_study(
+        opened, StudyRequest(seeds=f"1-{longer_runs}", seconds=LONGER * SECONDS, measures=["ticks"])
+    )
+    longer = PointRunner(longer_plan, pace=Pace.COMPILED)
     work: dict[str, Callable[[], object]] = {
         "bare": lambda: [runner.run(row) for row in range(plan.rows)],
         "kept": lambda: _kept(plan, runner),
         "measured": lambda: [measured.run(row) for row in range(plan.rows)],
     }
     rates = _rates(work, size.small, size.rounds)
+    long_rate = _rates({"": lambda: [longer.run(row) for row in range(longer_plan.rows)]}, longer_runs, size.rounds)[""]
     if peers:
         from benchmarks.peers import agents_in_space
 
@@ -94,6 +102,7 @@ def _small(size: Size, peers: bool) -> list[Row]:
     name = agents_in_space.NAME if peers else ""
     return [
         Row(what, "runs/s", rates["bare"], f"{name} batch_run" if peers else "", rates.get("mesa")),
+        Row(f"{size.robots} robots for {LONGER * STEPS} steps", "runs/s", long_rate),
         Row(f"{what}, kept", "runs/s", rates["kept"], "not kept", rates["bare"] if peers else None),
         Row(
             f"{what}, measured each step", "runs/s", rates["measured"], "not measured", rates["bare"] if peers else None

@@ -51,6 +51,54 @@ def test_all_that_can_vary_is_listed(kitrobot, mission):
     assert any(line.startswith(mission[1]) and "a whole number from 0 to 100" in line for line in lines)
     told = kitrobot("sweep", mission[0], "--addresses", "--json").json
     assert {"address": "fail-rate", "now": 0, "expected": "a number from 0 to 1"} in told
+    some = kitrobot("sweep", mission[0], "--addresses", "radio", "fail-r").out.splitlines()
+    assert [line.split()[0] for line in some] == ["radio.range", "radio.delay", "radio.loss", "fail-rate"]
+    assert "did you mean radio.delay?" in kitrobot("sweep", mission[0], "--addresses", "radio.dlay").err
+
+
+def test_values_are_compared_run_by_run_or_all_with_all(kitrobot, mission):
+    _begin(kitrobot, mission, "--measure", "distance,done")
+    paired = kitrobot("sweep", "table", "study", "--compare", mission[1]).out.splitlines()
+    assert paired[0].split("  ")[-2:] == ["distance more than 30", "p"]
+    assert paired[1].split()[:2] == ["60", "3"]
+    assert paired[3:] == ["  0.95: Student's t interval of the differences", "  p: paired t test, p-values by Holm"]
+    asked = ("--compare", mission[1], "--unpaired", "--measure", "distance", "--measure", "done")
+    text = kitrobot("sweep", "table", "study", *asked).out
+    assert "3 and 3" in text
+    assert "Newcombe's score interval" in text
+    distance, done = kitrobot("sweep", "table", "study", *asked, "--json").json
+    assert (distance["first"], distance["other"], distance["pairs"], distance["other_runs"]) == (30, 60, None, 3)
+    assert (done["estimate"], done["p_value"], done["test"]) == (0, 1, "Fisher's exact test, p-values by Holm")
+    assert "did you mean distance?" in kitrobot("sweep", "table", "study", *asked[:-3], "distnce").err
+    assert "does not vary" in kitrobot("sweep", "table", "study", "--compare", "fail-rate").err
+    assert "table STUDY" in " ".join(kitrobot("sweep", "study", "--unpaired").err.replace("│", " ").split())
+
+
+def _offered(line, monkeypatch, kitrobot, shell="bash"):
+    """What a shell offers at the end of a line."""
+    asked = {"_KITROBOT_COMPLETE": f"complete_{shell}", "COMP_WORDS": line, "COMP_CWORD": str(line.count(" "))}
+    asked |= {"_TYPER_COMPLETE_ARGS": line, "_TYPER_COMPLETE_FISH_ACTION": "get-args"}
+    with monkeypatch.context() as patched:
+        for name, value in asked.items():
+            patched.setenv(name, value)
+        said = kitrobot()
+    assert said.err == ""
+    return said.out.split("\n")[:-1] if said.out.strip() else []
+
+
+def test_a_shell_completes_addresses_with_values_to_begin_with(kitrobot, mission, monkeypatch):
+    file, speed = mission
+    assert _offered(f"kitrobot sweep {file} --vary {speed[:-1]}", monkeypatch, kitrobot) == [f"{speed}=25:75:12"]
+    (told,) = _offered(f"kitrobot sweep {file} --vary fail-r", monkeypatch, kitrobot, "fish")
+    assert told == "fail-rate=0:1:0.25\t0; a number from 0 to 1"
+    _begin(kitrobot, mission)
+    assert _offered("kitrobot sweep table study --compare ", monkeypatch, kitrobot) == [speed]
+
+
+@pytest.mark.parametrize("line", ["none.krt --vary ", "broken.krt --vary ", "--vary ", "table none --compare "])
+def test_where_there_is_nothing_to_read_a_shell_is_offered_nothing(kitrobot, here, monkeypatch, line):
+    (here / "broken.krt").write_text("<krt")
+    assert _offered(f"kitrobot sweep {line}", monkeypatch, kitrobot) == []
 
 
 @pytest.mark.parametrize(

@@ -103,6 +103,17 @@ def test_bad_input_is_a_sentence(kitrobot, arguments, status, sentence):
     assert "Traceback" not in said.err
 
 
+@pytest.mark.parametrize(
+    ("question", "rate", "advice"),
+    [("failed", 0.001, "it holds in 0 of 56 runs: `--splitting failed`"), ("stuck", 0, ""), ("done", 0.001, "")],
+)
+def test_where_hardly_any_run_has_it_the_answer_names_the_count_to_split_at(kitrobot, question, rate, advice):
+    asked = ("probability", SQUARE, question, "--fail-rate", rate, "--precision", 0.1, "--jobs", 1)
+    said = kitrobot(*asked)
+    assert (said.status, advice in said.out, "--splitting" in said.out) == (0, True, bool(advice))
+    assert kitrobot(*asked, "--json").json["rare"] is (question != "done")
+
+
 SPLIT = ("--fail-rate", 0.999, "--seconds", 1.2, "--splitting", "failed", "--runs", 400, "--jobs", 1)
 
 

@@ -11,9 +11,15 @@ import scipy
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.experiments.statistics.interval import Interval, StatisticsError
-from kitrobot.experiments.statistics.means import mean_interval, paired_difference, paired_test
+from kitrobot.experiments.statistics.means import (
+    mean_interval,
+    paired_difference,
+    paired_test,
+    unpaired_difference,
+    unpaired_test,
+)
 from kitrobot.experiments.statistics.multiple_comparisons import holm
-from kitrobot.experiments.statistics.shares import ShareMethod, share_interval
+from kitrobot.experiments.statistics.shares import ShareMethod, share_difference, share_interval, share_test
 from tests.effort import THOROUGH, cases
 
 STUDIES = 10_000 if THOROUGH else 400
@@ -95,6 +101,79 @@ def test_pairs_that_all_differ_alike_leave_no_doubt() -> None:
     assert (found.low, found.estimate, found.high) == (1, 1, 1)
 
 
+@pytest.mark.parametrize("others", [OTHERS, OTHERS[:3], [40.0, 80.0, 61.0, 5.0]])
+@pytest.mark.parametrize("scale", [1.0, 1e-200, 1e200])
+def test_an_unpaired_difference_is_that_of_scipys_test_by_welch(others: list[float], scale: float) -> None:
+    oracle = scipy.stats.ttest_ind(others, ONES, equal_var=False)
+    interval = oracle.confidence_interval(0.9)
+    scaled = [one * scale for one in ONES], [one * scale for one in others]
+    found = unpaired_difference(*scaled, 0.9)
+    assert (found.low / scale, found.high / scale) == pytest.approx((interval.low, interval.high))
+    assert unpaired_test(*scaled) == pytest.approx(oracle.pvalue)
+    assert found.method == "Welch's t interval"
+
+
+def test_values_that_never_differ_leave_no_doubt_unpaired_either() -> None:
+    assert unpaired_test([1, 1, 1], [2, 2]) == 0
+    assert unpaired_test([1, 1], [1, 1, 1]) == 1
+    found = unpaired_difference([1, 1, 1], [2, 2])
+    assert (found.low, found.estimate, found.high) == (1, 1, 1)
+    assert 0 < unpaired_test([1, 1, 1], [1, 2]) < 1
+
+
+def zeros_and_ones(successes: int, runs: int) -> list[int]:
+    return [1] * successes + [0] * (runs - successes)
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "low", "high"),
+    [
+        ((48, 80), (56, 70), 0.0524, 0.3339),
+        ((3, 10), (9, 10), 0.1705, 0.8090),
+        ((2, 7), (6, 7), 0.0582, 0.8062),
+        ((0, 29), (5, 56), -0.0381, 0.1926),
+        ((0, 10), (0, 10), -0.2775, 0.2775),
+        ((0, 10), (10, 10), 0.6075, 1.0),
+    ],
+)
+def test_a_difference_of_shares_is_that_of_newcombes_table(
+    first: tuple[int, int], second: tuple[int, int], low: float, high: float
+) -> None:
+    found = share_difference(zeros_and_ones(*first), zeros_and_ones(*second))
+    assert (found.low, found.high) == pytest.approx((low, high), abs=5e-5)
+
+
+def test_differences_of_shares_hold_the_truth_about_as_often_as_they_say() -> None:
+    runs, others = 15, 20
+    intervals = [
+        [share_difference(zeros_and_ones(n, runs), zeros_and_ones(m, others)) for m in range(others + 1)]
+        for n in range(runs + 1)
+    ]
+    held = []
+    for first in (0.1, 0.3, 0.5, 0.8):
+        for second in (0.1, 0.4, 0.7, 0.9):
+            ours = scipy.stats.binom.pmf(range(runs + 1), runs, first)
+            theirs = scipy.stats.binom.pmf(range(others + 1), others, second)
+            held.append(
+                sum(
+                    ours[n] * theirs[m] * (found.low <= second - first <= found.high)
+                    for n, line in enumerate(intervals)
+                    for m, found in enumerate(line)
+                )
+            )
+    assert min(held) > 0.92
+    assert 0.945 < sum(held) / len(held) < 0.98
+
+
+def test_a_test_of_shares_is_fishers() -> None:
+    for runs, others in ((1, 1), (3, 9), (12, 12), (200, 150)):
+        for ours in {0, 1, runs // 3, runs}:
+            for theirs in {0, 1, others // 2, others}:
+                oracle = scipy.stats.fisher_exact([[ours, runs - ours], [theirs, others - theirs]])
+                found = share_test(zeros_and_ones(ours, runs), zeros_and_ones(theirs, others))
+                assert found == pytest.approx(oracle.pvalue), (ours, runs, theirs, others)
+
+
 def test_holm_multiplies_the_smallest_most_and_keeps_their_order() -> None:
     assert holm([0.01, 0.04, 0.03]) == pytest.approx([0.03, 0.06, 0.06])
     assert holm([0.5, 0.9]) == [1.0, 1.0]
@@ -146,6 +225,10 @@ def test_bootstrap_intervals_of_lopsided_values_hold_the_truth_nearly_as_often_a
         (lambda: mean_interval(["fast", 1.0]), "value 1 is fast"),  # type: ignore[list-item]
         (lambda: paired_difference([1, 2], [1, 2, 3]), "there are 2 values of one and 3 of the other"),
         (lambda: paired_test([1], [1]), "there is 1 value"),
+        (lambda: unpaired_test([1, 2], [1]), "there is 1 value, and 2 are needed at least"),
+        (lambda: unpaired_difference([1, math.nan], [1, 2]), "value 2 is nan"),
+        (lambda: share_difference([], [1]), "there is no run to count"),
+        (lambda: share_test([1], []), "there is no run to count"),
         (lambda: holm([]), "there are 0 values"),
         (lambda: holm([0.5, 1.5]), "p-value 2 is 1.5"),
         (lambda: holm([math.nan]), "value 1 is nan"),

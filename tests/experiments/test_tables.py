@@ -11,6 +11,8 @@ import pytest
 
 import kitrobot
 from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.experiments.statistics.means import unpaired_difference, unpaired_test
+from kitrobot.experiments.statistics.multiple_comparisons import holm
 from kitrobot.experiments.study import Study
 from kitrobot.experiments.tables import column_names
 from tests.experiments.missions import last_tick, short_mission, speed_address
@@ -71,7 +73,6 @@ def test_without_arro3_a_sentence_says_how_to_get_it(study, monkeypatch, tmp_pat
 
 
 def test_a_summary_has_an_interval_for_each_measure_of_each_point_and_comparisons_are_paired(study):
-    pytest.importorskip("kitrobot.experiments.statistics.means")
     slow, fast = study.summary(ci=0.9)
     assert (slow.point[study.plan.addresses[0]], fast.outcomes) == (30, {"done": 4})
     seconds, _, never, _ = slow.cells
@@ -85,7 +86,6 @@ def test_a_summary_has_an_interval_for_each_measure_of_each_point_and_comparison
 
 
 def test_a_comparison_says_how_much_more_the_other_value_gives():
-    pytest.importorskip("kitrobot.experiments.statistics.means")
     opened = short_mission()
     address = speed_address(opened)
     study = kitrobot.sweep(opened, vary={address: [30, 60]}, seeds=range(1, 4), measures=["distance"])
@@ -93,5 +93,28 @@ def test_a_comparison_says_how_much_more_the_other_value_gives():
         [row.measures["distance"] or 0 for row in study.rows if row.point[address] == speed] for speed in (30, 60)
     )
     (found,) = study.compare(address)
+    assert (found.pairs, found.interval.method) == (3, "Student's t interval of the differences")
     assert found.interval.low > 0
     assert found.interval.estimate == pytest.approx((sum(fast) - sum(slow)) / 3)
+
+
+def test_an_unpaired_comparison_takes_all_runs_and_says_by_what_it_was_computed():
+    opened = short_mission()
+    address = speed_address(opened)
+    study = kitrobot.sweep(
+        opened, vary={address: [30, 60, 90]}, seeds=range(1, 5), measures=["distance", "done"], fail_rate=0.9
+    )
+    numbers = [
+        [row.measures["distance"] or 0 for row in study.rows if row.point[address] == speed] for speed in (30, 60, 90)
+    ]
+    found = study.compare(address, "distance", paired=False)
+    assert [(one.other, one.pairs, one.first_runs, one.other_runs) for one in found] == [
+        (60, None, 4, 4),
+        (90, None, 4, 4),
+    ]
+    plain = [unpaired_test(numbers[0], other) for other in numbers[1:]]
+    assert [one.p_value for one in found] == holm(plain)
+    assert found[0].interval == unpaired_difference(numbers[0], numbers[1])
+    assert (found[0].interval.method, found[0].test) == ("Welch's t interval", "Welch's t test, p-values by Holm")
+    done, _ = study.compare(address, "done", paired=False)
+    assert (done.interval.method, done.test) == ("Newcombe's score interval", "Fisher's exact test, p-values by Holm")

@@ -22,7 +22,7 @@ from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.diagnostics.regular import open_regular
 from kitrobot.mission.writer import write_mission
 from kitrobot.text.sentences import Sentence, Word
-from kitrobot.workspace.child_processes import MOST_JOBS
+from kitrobot.workspace.child_processes import check_jobs
 
 MOST_BYTES: Final = 1024 * 1024
 """Bytes of a submission: some hundred times what a large exercise takes."""
@@ -58,10 +58,9 @@ def grade(
         stop: when set, no more are begun and those that are on are ended.
 
     Raises:
-        GradingError: a number makes no sense.
+        GradingError, JobsError: a number makes no sense.
     """
-    if not 1 <= jobs <= MOST_JOBS:
-        raise GradingError(Sentence("submissions are graded in 1 to {most} processes", MOST_JOBS))
+    check_jobs(jobs)
     if len(submissions) > MOST_SUBMISSIONS:
         raise GradingError(Sentence("at most {most} submissions are graded at once", MOST_SUBMISSIONS))
     stop = stop or threading.Event()

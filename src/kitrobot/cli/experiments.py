@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from kitrobot.cli.address_completion import complete_axis, complete_compared
 from kitrobot.cli.options import Jobs, RunSeconds
 from kitrobot.cli.output import json_text, print_data
 from kitrobot.cli.progress import counted_progress
@@ -25,7 +26,7 @@ Words = Annotated[
     list[str],
     typer.Argument(
         metavar="FILE.krt | STUDY | merge STUDY… | table STUDY",
-        help="A mission to begin a study of, or the folder of a study.",
+        help="A mission to begin a study of, or the folder of a study; with `--addresses`, how those begin.",
         show_default=False,
     ),
 ]
@@ -36,6 +37,7 @@ Vary = Annotated[
         metavar="ADDRESS=VALUES",
         help="What varies: a list `0,5,10`, a range `30:60:5` or `2..6`, or `lhs(20)`, `sobol(64)`, `random(100)`.",
         show_default=False,
+        autocompletion=complete_axis,
     ),
 ]
 Points = Annotated[
@@ -64,10 +66,25 @@ ShardText = Annotated[
 Cluster = Annotated[
     str | None, typer.Option("--cluster", metavar="ADDRESS|local", help="Run on a Dask cluster (`kitrobot[cluster]`).")
 ]
-Addresses = Annotated[bool, typer.Option("--addresses", help="List all that can vary in a mission.")]
+Addresses = Annotated[
+    bool, typer.Option("--addresses", help="List all that can vary in a mission, with what stands there and what can.")
+]
 Csv = Annotated[bool, typer.Option("--csv", help="table: as CSV.")]
 Parquet = Annotated[bool, typer.Option("--parquet", help="table: as Parquet (`kitrobot[data]`).")]
 Summary = Annotated[bool, typer.Option("--summary", help="table: a line for each point, with intervals.")]
+Compare = Annotated[
+    str | None,
+    typer.Option(
+        "--compare",
+        metavar="ADDRESS",
+        help="table: each value of an address against its first one, of the first `--measure`.",
+        show_default=False,
+        autocompletion=complete_compared,
+    ),
+]
+Unpaired = Annotated[
+    bool, typer.Option("--unpaired", help="With `--compare`: all runs against all, whatever their seeds.")
+]
 TraceOf = Annotated[str | None, typer.Option("--trace", metavar="ROW", help="Record the run of a row (number or id).")]
 AsJson = Annotated[bool, typer.Option("--json", help="Plain values instead of text.")]
 
@@ -91,6 +108,8 @@ def sweep_missions(
     as_csv: Csv = False,
     as_parquet: Parquet = False,
     summary: Summary = False,
+    compared: Compare = None,
+    unpaired: Unpaired = False,
     trace: TraceOf = None,
     as_json: AsJson = False,
 ) -> None:
@@ -107,14 +126,16 @@ def sweep_missions(
         _merge([Path(word) for word in words[1:]], output)
         return
     if words[0] == TABLE and len(words) == 2:
-        _table(Study(Path(words[1])), output, as_parquet, summary, as_json)
+        if compared is not None:
+            _compare(Study(Path(words[1])), compared, measure or [], not unpaired, as_json)
+        else:
+            _table(Study(Path(words[1])), output, as_parquet, summary, as_json)
         return
-    if len(words) > 1:
-        raise typer.BadParameter("name one mission or one study", param_hint="'FILE'")
     path = Path(words[0])
     if addresses:
-        _list_addresses(path, as_json)
+        _list_addresses(path, words[1:], as_json)
         return
+    _expect_one(words, compared is not None or unpaired)
     request = StudyRequest(
         _axes(vary or []), points, zip_axes, seeds, seconds, fail_rate, [one for one in measure or [] if one.strip()]
     )
@@ -122,14 +143,24 @@ def sweep_missions(
     if is_there and (vary or points is not None or measure):
         raise typer.BadParameter("a study has its plan; another one is another folder", param_hint="'--vary'")
     folder = path if is_there else _begin(path, output, request)
-    if status:
-        _show_status(folder, as_json)
-    elif trace is not None:
-        study = Study(folder)
-        print_data(f"{study.record(study.row(int(trace) if trace.isdecimal() else trace), output)}\n")
-    else:
+    if trace is not None:
+        _record(Study(folder), trace, output)
+        return
+    if not status:
         _run(folder, shard, choose_executor(jobs, cluster))
-        _show_status(folder, as_json)
+    _show_status(folder, as_json)
+
+
+def _record(study: Study, row: str, output: Path | None) -> None:
+    print_data(f"{study.record(study.row(int(row) if row.isdecimal() else row), output)}\n")
+
+
+def _expect_one(words: list[str], compares: bool) -> None:
+    """Refuses several words that name neither studies to merge nor one to tabulate, and a comparison of no table."""
+    if len(words) > 1:
+        raise typer.BadParameter("name one mission or one study", param_hint="'FILE'")
+    if compares:
+        raise typer.BadParameter("compare the runs of a study: kitrobot sweep table STUDY", param_hint="'--compare'")
 
 
 def _axes(texts: list[str]) -> list[tuple[str, str]]:
@@ -204,8 +235,20 @@ def _table(study: Study, output: Path | None, as_parquet: bool, summary: bool, a
         write_csv(study, sys.stdout)
 
 
-def _list_addresses(path: Path, as_json: bool) -> None:
+def _compare(study: Study, address: str, measures: list[str], paired: bool, as_json: bool) -> None:
+    from kitrobot.experiments.comparison import comparison_json, comparison_text
+
+    names = measures or [study.plan.measured[0]]
+    found = [study.compare(address, name, paired=paired) for name in names]
+    if as_json:
+        print_data(json_text([line for one in found for line in comparison_json(one)]) + "\n")
+        return
+    print_data("\n".join(comparison_text(address, one) for one in found))
+
+
+def _list_addresses(path: Path, beginnings: list[str], as_json: bool) -> None:
     from kitrobot.diagnostics.problems import ProblemsError
+    from kitrobot.experiments.addresses import find_address
     from kitrobot.experiments.mission_addresses import mission_addresses
     from kitrobot.experiments.tables import text_lines
     from kitrobot.text.sentences import Sentence
@@ -215,10 +258,13 @@ def _list_addresses(path: Path, as_json: bool) -> None:
     if not opened.report.ok:
         message = Sentence("`{mission}` has errors, so it was not run", opened.name)
         raise ProblemsError(message, "", opened.report.problems, opened.report.sources)
-    known = mission_addresses(opened).values()
+    known = mission_addresses(opened)
+    shown = [one for one in known.values() if not beginnings or one.name.startswith(tuple(beginnings))]
+    if not shown:
+        find_address(known, beginnings[0])
     if as_json:
-        listed = [{"address": one.name, "now": one.current, "expected": str(one.expected)} for one in known]
+        listed = [{"address": one.name, "now": one.current, "expected": str(one.expected)} for one in shown]
         print_data(json_text(listed) + "\n")
         return
-    rows = [(one.name, "–" if one.current is None else str(one.current), str(one.expected)) for one in known]
+    rows = [(one.name, "–" if one.current is None else str(one.current), str(one.expected)) for one in shown]
     print_data("\n".join(text_lines(rows)) + "\n")

@@ -16,6 +16,7 @@ from kitrobot.cli.run import FailRate, check_run_numbers
 
 if TYPE_CHECKING:
     from kitrobot.experiments.probability import Probability
+    from kitrobot.workspace.mission_run import PreparedRun
 
 Question = Annotated[
     str,
@@ -89,7 +90,7 @@ def estimate_probability(
     options = ProbabilityOptions(precision, confidence, at_least, most_runs, jobs)
     with counted_progress("runs") as progress:
         found = find_probability(prepared, question, options, progress)
-    print_data(json_text(found.to_json()) + "\n" if as_json else _summary(found))
+    print_data(json_text(found.to_json()) + "\n" if as_json else _summary(found) + _advice(found, prepared))
     is_broken_off = not found.complete and found.runs != most_runs
     if is_broken_off:
         print_message(f"broken off after {_counted(found.runs)}")
@@ -115,6 +116,16 @@ def _summary(found: Probability) -> str:
             f"    seed {one.seed}, {one.tick * found.tick_ms / 1000:.1f} s  {one.sentence}".rstrip() for one in few
         ]
     return "\n".join(lines) + "\n"
+
+
+def _advice(found: Probability, prepared: PreparedRun) -> str:
+    """The command line option that says more of what hardly ever happens; "" where there is none."""
+    from kitrobot.experiments.rare_probability import likely_count
+
+    count = likely_count(prepared) if found.is_rare else None
+    if count is None:
+        return ""
+    return f"\n  it holds in {found.holds} of {_counted(found.runs)}: `--splitting {count}` tells more of the rare\n"
 
 
 def _rows(found: Probability) -> Iterator[tuple[str, str]]:

@@ -1,14 +1,15 @@
 """Local processes that make the rows of a study, and their supervisor.
 
-Each process keeps one mission hot and sends each row as soon as its run ends, so when a process dies (killed, out of
-memory) the supervisor knows the run that it was at: that one counts a death, and is made again after the others that
-the process had, which are given out again at once.
+Each process keeps one mission hot, sends its rows some at a time, and notes the run that it is at in memory that the
+supervisor sees. When it dies (killed, out of memory), that run counts a death, and is made again after the others that
+were not sent, which are given out again at once.
 Ctrl-C is the supervisor's alone; the processes end with it, however it ends.
 """
 
 from __future__ import annotations
 
 import math
+import time
 from collections import Counter, deque
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
@@ -28,16 +29,19 @@ MOST_GIVEN: Final = 64
 """Rows that a process has before it at most."""
 MOST_FALSE_STARTS: Final = 8
 """Processes that may die before they are ready while no row comes, before the study is given up."""
+_SEND_S: Final = 0.01
+"""Seconds of its processor that a process works for rows before it sends them; one that takes longer goes alone."""
 _LOOK_S: Final = 0.2
 """How long nobody looks whether the work is to end while no row comes, in seconds."""
 
 
 @dataclass
 class _Worker:
-    """A process, the line to it, and the rows that it was given and has not sent, in their order."""
+    """A process, the line to it, the row that it is at, and those that it was given and has not sent, in order."""
 
     process: Any
     line: Any
+    at: Any
     given: deque[int] = field(default_factory=deque)
     is_ready: bool = False
 
@@ -86,9 +90,10 @@ class LocalWorkers:
                     if not message:
                         worker.is_ready = True
                         continue
-                    worker.given.popleft()
-                    left -= 1
-                    yield message
+                    for row in message.splitlines(keepends=True):
+                        worker.given.popleft()
+                        left -= 1
+                        yield row
         finally:
             self._end()
 
@@ -118,7 +123,8 @@ class LocalWorkers:
                 )
         if not worker.given:
             return None
-        blamed = worker.given.popleft()
+        blamed = worker.at.value if worker.at.value in worker.given else worker.given[0]
+        worker.given.remove(blamed)
         deaths[blamed] += 1
         again.extendleft(reversed(worker.given))
         if deaths[blamed] >= MOST_DEATHS:
@@ -138,13 +144,14 @@ class LocalWorkers:
 
 def _begin(context: Any, work: Work, pace: Pace) -> _Worker:
     mine, theirs = context.Pipe()
-    process = context.Process(target=_work, args=(theirs, work.plan, dict(work.functions), pace), daemon=True)
+    at = context.RawValue("q", -1)
+    process = context.Process(target=_work, args=(theirs, at, work.plan, dict(work.functions), pace), daemon=True)
     process.start()
     theirs.close()
-    return _Worker(process, mine)
+    return _Worker(process, mine, at)
 
 
-def _work(line: Any, plan: Plan, functions: Mapping[str, Function], pace: Pace) -> None:
+def _work(line: Any, at: Any, plan: Plan, functions: Mapping[str, Function], pace: Pace) -> None:
     """In a process, until its supervisor is gone. An empty message says that it is ready."""
     end_with_parent()
     try:
@@ -154,5 +161,12 @@ def _work(line: Any, plan: Plan, functions: Mapping[str, Function], pace: Pace) 
     with suppress(EOFError, OSError):
         line.send_bytes(b"")
         while True:
+            rows, since = bytearray(), time.process_time()
             for row in line.recv():
-                line.send_bytes(runner.run(row))
+                at.value = row
+                rows += runner.run(row)
+                if time.process_time() - since > _SEND_S:
+                    line.send_bytes(rows)
+                    rows, since = bytearray(), time.process_time()
+            if rows:
+                line.send_bytes(rows)

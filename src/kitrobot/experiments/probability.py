@@ -12,7 +12,6 @@ from contextlib import closing
 from dataclasses import dataclass
 from typing import Any, Final, TypedDict
 
-from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.experiments.run_question import RunAnswer, RunJudge
 from kitrobot.experiments.statistics.interval import USUAL_CONFIDENCE, Interval, StatisticsError
 from kitrobot.experiments.statistics.ratio_test import RatioTest
@@ -22,7 +21,7 @@ from kitrobot.sim.jit.policy import expect_many_runs
 from kitrobot.sim.run_spec import RunSpec
 from kitrobot.sim.setup.limits import MAX_SEED
 from kitrobot.text.sentences import Sentence
-from kitrobot.workspace.child_processes import MOST_JOBS, cores
+from kitrobot.workspace.child_processes import check_jobs, cores
 from kitrobot.workspace.mission_run import PreparedRun
 from kitrobot.workspace.task_pool import run_tasks
 
@@ -31,6 +30,9 @@ _BATCH: Final = 8
 """Runs that a process is given at once."""
 _SHOWN: Final = 3
 """Runs that are kept of each answer."""
+_RARE_SHARE: Final = 0.01
+_RARE_RUNS: Final = 50
+"""What holds in at most that share of so many runs, or of more, is rare."""
 _FEW: Final = 100
 """Runs that a test of *at least* is taken to need."""
 
@@ -49,10 +51,6 @@ class RunLimits(TypedDict, total=False):
 
 def _never() -> bool:
     return False
-
-
-class ProbabilityError(KitRobotError):
-    """Options that make no sense."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,6 +121,11 @@ class Probability:
         return self.interval.method if self.interval is not None else Sentence("none")
 
     @property
+    def is_rare(self) -> bool:
+        """Whether it holds in so few of many runs that splitting (`rare_probability`) would say more with as many."""
+        return self.options.at_least is None and self.runs >= _RARE_RUNS and self.holds <= _RARE_SHARE * self.runs
+
+    @property
     def hoeffding_runs(self) -> int:
         """The runs of Chernoff and Hoeffding's bound, which a fixed number of runs needs."""
         return hoeffding_runs(self.options.precision, self.options.confidence)
@@ -152,6 +155,7 @@ class Probability:
                 "looked_at": self.looked_at,
                 "planned_runs": self.planned_runs,
                 "chernoff_hoeffding_runs": self.hoeffding_runs,
+                "rare": self.is_rare,
             }
         return made | {
             "examples": [self._answer_json(one) for one in self.examples],
@@ -202,16 +206,6 @@ class _Counts:
         return self.complete or self.runs == self.most_runs
 
 
-def check_jobs(jobs: int | None) -> None:
-    """Refuses a number of processes that runs cannot be shared out over; None is one for each core.
-
-    Raises:
-        ProbabilityError: it is not 1 to `MOST_JOBS`.
-    """
-    if jobs is not None and not 1 <= jobs <= MOST_JOBS:
-        raise ProbabilityError(Sentence("runs are shared out over 1 to {most} processes", MOST_JOBS))
-
-
 def find_probability(
     prepared: PreparedRun,
     question: str,
@@ -225,7 +219,7 @@ def find_probability(
 
     Raises:
         QuestionError, PropertyError: the question cannot be understood, or the mission has no such property.
-        StatisticsError, ProbabilityError: a number of the options makes no sense.
+        StatisticsError, JobsError: a number of the options makes no sense.
         PoolError: a process died.
     """
     began = time.perf_counter()

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.experiments.probability import Progress, check_jobs
+from kitrobot.experiments.probability import Progress
 from kitrobot.experiments.run_question import RunProperty, find_run_property, with_time_of
 from kitrobot.experiments.statistics.branch_estimate import (
     MOST_LEVELS,
@@ -39,7 +39,7 @@ from kitrobot.text.phrases import one_of
 from kitrobot.text.sentences import Sentence
 from kitrobot.text.suggestions import did_you_mean
 from kitrobot.verifier.report.replay import RunObserver
-from kitrobot.workspace.child_processes import cores
+from kitrobot.workspace.child_processes import check_jobs, cores
 from kitrobot.workspace.mission_run import PreparedRun
 from kitrobot.workspace.task_pool import run_tasks
 
@@ -55,6 +55,18 @@ LEVELS: Final[dict[str, Callable[[Simulation], int]]] = {
     "collisions": lambda run: run.collisions,
 }
 """What can be counted on the way, by name: boxes brought, robots that have failed, beginnings of contacts."""
+
+
+def likely_count(prepared: PreparedRun) -> str | None:
+    """The count that most likely leads to something rare in a run, of `LEVELS`; None where runs are not split."""
+    run = prepared.simulation
+    if lasting_draws(run):
+        return None
+    if prepared.spec.fail_rate > 0:
+        return "failed"
+    if len(run.members) > 1:
+        return "collisions"
+    return "delivered" if run.total > 0 else None
 
 
 class SplittingError(KitRobotError):
@@ -194,7 +206,7 @@ def find_rare_probability(
     Raises:
         QuestionError, PropertyError: the question cannot be understood, or the mission has no such property.
         SplittingError: runs cannot be split at this count, or it has no levels.
-        StatisticsError, ProbabilityError: a number of the options makes no sense.
+        StatisticsError, JobsError: a number of the options makes no sense.
         PoolError: a process died.
     """
     began = time.perf_counter()

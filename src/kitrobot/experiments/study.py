@@ -9,6 +9,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from kitrobot.experiments.comparison import Comparison, compare
 from kitrobot.experiments.executor import Executor, ThisProcess
 from kitrobot.experiments.plan import Function, StudyRequest, plan_study
 from kitrobot.experiments.seeds import seeds_of
@@ -17,10 +18,10 @@ from kitrobot.experiments.study_folder import begin_study
 from kitrobot.experiments.study_html import study_html
 from kitrobot.experiments.study_rows import StudyRows
 from kitrobot.experiments.study_run import Progress, run_study
-from kitrobot.experiments.summary import Comparison, PointSummary, compare, summarise
+from kitrobot.experiments.summary import PointSummary, summarise
 from kitrobot.experiments.tables import arrow_table, write_csv, write_parquet
 from kitrobot.experiments.variant import Value
-from kitrobot.workspace.child_processes import cores, has_processes
+from kitrobot.workspace.child_processes import check_jobs, cores, has_processes
 from kitrobot.workspace.mission_loader import OpenMission
 
 Axes = Mapping[str, Sequence[Value] | str]
@@ -49,18 +50,23 @@ class Study(StudyRows):
         """
         return summarise(self, ci)
 
-    def compare(self, address: str, measure: str = "", ci: float = USUAL_CONFIDENCE) -> list[Comparison]:
+    def compare(
+        self, address: str, measure: str = "", ci: float = USUAL_CONFIDENCE, *, paired: bool = True
+    ) -> list[Comparison]:
         """Each value of an address against its first: the differences of runs with all else, and the seed, in common.
 
         Args:
             address: what varies.
             measure: of what; the first one that is measured unless it is named.
             ci: the share (0…1) of intervals that hold the truth.
+            paired: False sets all runs of a value against all of the first one, whatever their seeds: Welch's t, and
+                of `done` Newcombe's interval and Fisher's exact test.
 
         Raises:
             ExperimentError: nothing of that name varies, or was measured.
+            StatisticsError: there are too few runs.
         """
-        return compare(self, address, measure or self.plan.measured[0], ci)
+        return compare(self, address, measure or self.plan.measured[0], ci, paired)
 
     def to_csv(self, file: Path | str) -> None:
         """Writes the rows as a CSV file."""
@@ -134,7 +140,9 @@ def choose_executor(jobs: int | None, cluster: str | None) -> Executor:
 
     Raises:
         ExperimentError: Dask is needed and not installed.
+        JobsError: there are too many processes, or none.
     """
+    check_jobs(jobs)
     if cluster is not None:
         from kitrobot.experiments.cluster import DaskCluster
 

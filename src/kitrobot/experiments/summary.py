@@ -1,7 +1,7 @@
-"""A study in numbers: of each point the mean of each measure, with its interval; and one value against another.
+"""A study in numbers: of each point the mean of each measure, with its interval.
 
-Points have the same seeds, so comparisons are paired: run by run, seed by seed. `done` is a share. Rows without a
-number do not count, and `Cell.runs` says how many do. The statistics are those of `experiments.statistics`.
+`done` is a share. Rows without a number do not count, and `Cell.runs` says how many do. The statistics are those of
+`experiments.statistics`.
 """
 
 from __future__ import annotations
@@ -13,14 +13,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from kitrobot.experiments.addresses import ExperimentError
 from kitrobot.experiments.row_columns import point_stretches, row_columns
 from kitrobot.experiments.statistics.interval import USUAL_CONFIDENCE, Interval
 from kitrobot.experiments.study_rows import StudyRows
 from kitrobot.experiments.tables import text_lines
 from kitrobot.experiments.variant import Value
-from kitrobot.text.sentences import Sentence
-from kitrobot.text.suggestions import did_you_mean
 
 
 @dataclass(frozen=True)
@@ -41,21 +38,6 @@ class PointSummary:
     point: Mapping[str, Value]
     outcomes: Mapping[str, int]
     cells: tuple[Cell, ...]
-
-
-@dataclass(frozen=True)
-class Comparison:
-    """The difference of a measure, `other` minus `first`, all else the same; `p_value` is Holm's over the comparisons.
-
-    `pairs` is how many runs were compared with their like.
-    """
-
-    measure: str
-    first: Value
-    other: Value
-    pairs: int
-    interval: Interval
-    p_value: float
 
 
 def summarise(study: StudyRows, confidence: float = USUAL_CONFIDENCE) -> list[PointSummary]:
@@ -101,39 +83,6 @@ def _cell(name: str, values: Sequence[float], confidence: float) -> Cell:
         return Cell(name, 1, None, values[0])
     interval = mean_interval(values, confidence)
     return Cell(name, count, interval, interval.estimate)
-
-
-def compare(study: StudyRows, address: str, measure: str, confidence: float = USUAL_CONFIDENCE) -> list[Comparison]:
-    """Each value of an address against its first one: differences of runs that have all else in common, seed too.
-
-    Raises:
-        ExperimentError: nothing of that name varies, or was measured.
-        StatisticsError: there are too few pairs, or the confidence is none.
-    """
-    from kitrobot.experiments.statistics.means import paired_difference, paired_test
-    from kitrobot.experiments.statistics.multiple_comparisons import holm
-
-    if address not in study.plan.addresses:
-        near = did_you_mean(address, study.plan.addresses)
-        raise ExperimentError(Sentence("`{address}` does not vary in this study", address), near)
-    if measure not in study.plan.measured:
-        raise ExperimentError(Sentence("no row of the study has the measure `{name}`", measure))
-    found: dict[Value, dict[Any, float]] = {}
-    for row in study.rows:
-        number = row.measures.get(measure)
-        if number is not None:
-            rest = tuple((name, value) for name, value in row.point.items() if name != address)
-            found.setdefault(row.point[address], {})[rest, row.seed] = number
-    first, *others = found
-    pairs = []
-    for other in others:
-        both = [key for key in found[first] if key in found[other]]
-        pairs.append(([found[first][key] for key in both], [found[other][key] for key in both]))
-    p_values = holm([paired_test(ours, theirs) for ours, theirs in pairs])
-    return [
-        Comparison(measure, first, other, len(ours), paired_difference(ours, theirs, confidence), p_value)
-        for other, (ours, theirs), p_value in zip(others, pairs, p_values, strict=True)
-    ]
 
 
 def summary_json(study: StudyRows, confidence: float = USUAL_CONFIDENCE) -> list[dict[str, Any]]:

@@ -15,7 +15,7 @@ from kitrobot.sim.setup.limits import MAX_SEED
 from kitrobot.sim.sweep import MOST_MOMENTS, moments_of
 from kitrobot.text.sentences import Sentence
 from kitrobot.verifier.report.replay import InjectedFault
-from kitrobot.workspace.child_processes import MOST_JOBS, cores
+from kitrobot.workspace.child_processes import check_jobs, cores
 from kitrobot.workspace.mission_run import PreparedRun
 from kitrobot.workspace.task_pool import run_tasks
 
@@ -40,15 +40,14 @@ def judge_failures(
     """Judges a property by the failure of each robot at each moment; the run needs a time limit.
 
     Raises:
-        JudgeError: a number of the options makes no sense.
+        JudgeError, JobsError: a number of the options makes no sense.
         QuestionError: the mission has no such property.
         PropertyError: a condition cannot be understood, or names something that does not exist.
         PoolError: a process died.
     """
     if not 1 <= options.moments <= MOST_MOMENTS:
         raise JudgeError(Sentence("a sweep has from 1 to {most} moments", MOST_MOMENTS))
-    if options.jobs is not None and not 1 <= options.jobs <= MOST_JOBS:
-        raise JudgeError(Sentence("runs are shared out over 1 to {most} processes", MOST_JOBS))
+    check_jobs(options.jobs)
     spec = prepared.spec
     judge = RunJudge(question, spec)
     baseline = prepared.again()

@@ -8,9 +8,16 @@ import sys
 import threading
 from typing import Final
 
+from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.text.sentences import Sentence
+
 MOST_JOBS: Final = 256
 
 _possible = sys.platform != "emscripten"
+
+
+class JobsError(KitRobotError):
+    """Work cannot be shared out over so many processes."""
 
 
 def has_processes() -> bool:
@@ -30,6 +37,16 @@ def cores() -> int:
         return 1
     usable = getattr(os, "sched_getaffinity", None)
     return max(1, min(MOST_JOBS, len(usable(0)) if usable is not None else os.cpu_count() or 1))
+
+
+def check_jobs(jobs: int | None) -> None:
+    """Refuses a number of processes that work cannot be shared out over; None is one for each core.
+
+    Raises:
+        JobsError: it is not 1 to `MOST_JOBS`.
+    """
+    if jobs is not None and not 1 <= jobs <= MOST_JOBS:
+        raise JobsError(Sentence("work is shared out over 1 to {most} processes", MOST_JOBS))
 
 
 def end_with_parent() -> None:

@@ -29,7 +29,7 @@ from kitrobot.sim.sweep import (
     snapshots_at,
 )
 from kitrobot.text.sentences import Sentence
-from kitrobot.workspace.child_processes import MOST_JOBS, cores
+from kitrobot.workspace.child_processes import check_jobs, cores
 from kitrobot.workspace.mission_run import PreparedRun, Run
 from kitrobot.workspace.task_pool import run_tasks
 
@@ -147,7 +147,7 @@ def run_sweep(
     Ctrl-C (KeyboardInterrupt) among the fields, or `stop`, ends the sweep: what was found until then is given.
 
     Raises:
-        SweepError: a number of the options makes no sense.
+        SweepError, JobsError: a number of the options makes no sense.
         PoolError: a process died.
         SweepStoppedError: `stop` said so before the first field.
     """
@@ -191,8 +191,7 @@ def _go_on(stop: Callable[[], bool]) -> None:
 def _check(options: SweepOptions) -> None:
     if not 1 <= options.moments <= MOST_MOMENTS:
         raise SweepError(Sentence("a sweep has from 1 to {most} moments", MOST_MOMENTS))
-    if options.jobs is not None and not 1 <= options.jobs <= MOST_JOBS:
-        raise SweepError(Sentence("a sweep runs in 1 to {most} processes", MOST_JOBS))
+    check_jobs(options.jobs)
 
 
 def _total(agents: int, moments: int, pairs: bool) -> int:

@@ -1,10 +1,11 @@
-"""Intervals for a mean, and for the difference of two measures of the same runs."""
+"""Intervals for a mean, and for the difference of two: of the same runs, or of runs that have nothing in common."""
 
 from __future__ import annotations
 
 import math
 import random
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from operator import mul
 from typing import Literal
 
@@ -77,7 +78,8 @@ def paired_difference(
     Raises:
         StatisticsError: there are not as many values of both, too few, or one is no finite number.
     """
-    return mean_interval(_differences(first, second), confidence, method, seed)
+    found = mean_interval(_differences(first, second), confidence, method, seed)
+    return replace(found, method=Sentence("{method} of the differences", found.method))
 
 
 def paired_test(first: Iterable[float], second: Iterable[float]) -> float:
@@ -92,6 +94,59 @@ def paired_test(first: Iterable[float], second: Iterable[float]) -> float:
     if error == 0:
         return 1.0 if mean == 0 else 0.0
     return t_two_sided(mean / error, len(scaled) - 1)
+
+
+def unpaired_difference(
+    first: Iterable[float], second: Iterable[float], confidence: float = USUAL_CONFIDENCE
+) -> Interval:
+    """The interval for how much larger the second mean is than the first, of runs that are independent (Welch 1947).
+
+    The two need neither the same number of values nor the same spread.
+
+    Args:
+        first: at least two values; finite.
+        second: at least two values of other runs; finite.
+        confidence: the share (0…1) of intervals that hold the difference.
+
+    Raises:
+        StatisticsError: there are too few values, or one is no finite number.
+
+    Examples:
+        >>> found = unpaired_difference([58.0, 61.0, 60.0, 59.0], [61.0, 65.0, 63.0])
+        >>> found.estimate, round(found.low, 2), round(found.high, 2)
+        (3.5, -0.3, 7.3)
+    """
+    check_confidence(confidence)
+    difference, error, degrees, scale = _welch(first, second)
+    margin = t_bound(confidence, degrees) * error if error else 0.0
+    low, high = difference - margin, difference + margin
+    return Interval(difference * scale, low * scale, high * scale, confidence, Sentence("Welch's t interval"))
+
+
+def unpaired_test(first: Iterable[float], second: Iterable[float]) -> float:
+    """How probable a difference at least as large is if both means are alike: the p-value of Welch's t test.
+
+    Raises:
+        StatisticsError: as `unpaired_difference`.
+    """
+    difference, error, degrees, _ = _welch(first, second)
+    if error == 0:
+        return 1.0 if difference == 0 else 0.0
+    return t_two_sided(difference / error, degrees)
+
+
+def _welch(first: Iterable[float], second: Iterable[float]) -> tuple[float, float, float, float]:
+    """The difference of the means, its standard error, the degrees of freedom (1 without an error), and the unit."""
+    ones, others = check_values(first, 2), check_values(second, 2)
+    scaled, scale = _scaled([*ones, *others])
+    parts = scaled[: len(ones)], scaled[len(ones) :]
+    means = [math.fsum(part) / len(part) for part in parts]
+    errors = [_standard_error(part, mean) for part, mean in zip(parts, means, strict=True)]
+    error = math.hypot(*errors)
+    if error == 0:
+        return means[1] - means[0], 0.0, 1.0, scale
+    uncertainty = sum((one / error) ** 4 / (len(part) - 1) for one, part in zip(errors, parts, strict=True))
+    return means[1] - means[0], error, 1 / uncertainty, scale
 
 
 def _differences(first: Iterable[float], second: Iterable[float]) -> list[float]:

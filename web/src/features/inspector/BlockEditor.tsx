@@ -170,7 +170,7 @@ function optionWords(shape: Shape): string {
   return phrase.replace(/\{([^}]*)\}/g, (_, hole: string) => (hole === "object" ? object : "…"));
 }
 
-/** Marks a number to vary in an experiment, and says beside it which values it takes there. */
+/** Marks a number to vary in an experiment, and says its address, as the command line takes it, with the values. */
 function VaryButton({ address, name }: { address: string; name: string }) {
   const axis = useVaried(({ axes }) => axes.find((one) => one.address === address));
   if (!useShown("verification")) return null;
@@ -180,14 +180,18 @@ function VaryButton({ address, name }: { address: string; name: string }) {
         type="button"
         className="inspector-vary-button finger muted boxed"
         aria-pressed={axis !== undefined}
-        title={t("experiment.vary-part")}
+        title={`${t("experiment.vary-part")}: ${address}`}
         aria-label={t(axis === undefined ? "experiment.vary-field" : "experiment.varied-field", { name })}
         data-testid={`vary-${address}`}
         onClick={() => toggleVaried(address)}
       >
         {t("experiment.vary")}
       </button>
-      {axis === undefined || axis.values === "" ? null : <code dir="ltr">{axis.values}</code>}
+      {axis === undefined ? null : (
+        <code className="ellipsis" dir="ltr">
+          {axis.values === "" ? address : `${address}=${axis.values}`}
+        </code>
+      )}
     </div>
   );
 }

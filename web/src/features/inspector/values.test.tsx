@@ -5,6 +5,8 @@ import { missionOf } from "../../model/testing/missions";
 import { PARTS } from "../../model/testing/parts";
 import { useStudio } from "../../model/studio";
 import type { Catalogue, Meaning, Method, Program, RobotObject } from "../../model/types";
+import { chooseSimple } from "../../session/simple-view";
+import { setValues } from "../../session/varied";
 import { type Graph, leaveGraph, mountGraph } from "../../testing/graph";
 import { Inspector } from "./Inspector";
 
@@ -141,6 +143,19 @@ describe("in the inspector", () => {
     await select("turn");
     expect(page.find("inspector").querySelector(".inspector-element")?.textContent).toBe("Motor.AbsoluteTurn");
     expect(page.find("inspector").textContent).toContain("a quarter turn");
+  });
+
+  it("a number that is marked to vary says its address, as the command line takes it, with its values", async () => {
+    chooseSimple(false);
+    await select("turn");
+    const marked = () => [...page.find("inspector").querySelectorAll("code")].map((one) => one.textContent);
+    expect(page.find("vary-p.turn.angle").title).toContain("p.turn.angle");
+    page.click("vary-p.turn.angle");
+    expect(marked()).toContain("p.turn.angle");
+    page.act(() => setValues("p.turn.angle", "10,20"));
+    expect(marked()).toContain("p.turn.angle=10,20");
+    page.click("vary-p.turn.angle");
+    expect(marked()).not.toContain("p.turn.angle=10,20");
   });
 
   it("an angle has a dial, with its steps, its ends, and Escape goes back to what was there", async () => {
