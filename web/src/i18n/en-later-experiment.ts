@@ -33,6 +33,7 @@ export const EXPERIMENT_EN = {
   "experiment.break-off": "Break off",
   "experiment.resume": "Go on",
   "experiment.csv": "Table (CSV)",
+  "experiment.svg": "Picture (SVG)",
   "experiment.next": "Another study",
   "experiment.study": "Studies of {path}",
   "experiment.measure": "What is shown",

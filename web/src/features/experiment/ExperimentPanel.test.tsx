@@ -256,6 +256,25 @@ describe("a study", () => {
     expect(asked.at(-1)?.[0]).toContain("row=0");
   });
 
+  it("leaves its curve as a file of its own, on the ground of the page and without what is the page's alone", async () => {
+    await withStudy();
+    const saved: Blob[] = [];
+    vi.stubGlobal("URL", {
+      createObjectURL: (blob: Blob) => `blob:${String(saved.push(blob))}`,
+      revokeObjectURL: () => undefined,
+    });
+    const click = vi.spyOn(HTMLAnchorElement.prototype, "click").mockImplementation(() => undefined);
+    hands.click("experiment-svg");
+    vi.unstubAllGlobals();
+    expect(click.mock.contexts.map((link) => (link as HTMLAnchorElement).download)).toEqual(["carry-study.svg"]);
+    const text = (await saved[0]?.text()) ?? "";
+    const file = new DOMParser().parseFromString(text, "image/svg+xml");
+    expect(file.documentElement.namespaceURI).toBe("http://www.w3.org/2000/svg");
+    expect(file.documentElement.firstElementChild?.getAttribute("width")).toBe("100%");
+    expect(file.querySelectorAll("circle").length).toBeGreaterThan(1);
+    expect(text).not.toMatch(/class=|data-testid=|tabindex=/);
+  });
+
   it("is a table too, each row with a way to its runs", async () => {
     await withStudy();
     const rows = [...hands.find("experiment-table").querySelectorAll("tbody tr")].map((row) =>

@@ -1,11 +1,13 @@
 /** A study as it is: its picture, the runs of the chosen point, its numbers as a table, and what can be done with it. */
-import { type ReactNode, useState } from "react";
+import { type ReactNode, useRef, useState } from "react";
 
 import type { Study } from "../../api/generated";
 import { decimal, grouped } from "../../i18n/numbers";
 import { t } from "../../i18n/words";
 import { Button } from "../../ui/Button";
+import { download } from "../../ui/download";
 import { Select } from "../../ui/Select";
+import { svgFileOf } from "../../ui/svg-file";
 import { pictureOf, variedAxes } from "./chart";
 import { Command } from "./Command";
 import { Curve } from "./Curve";
@@ -20,6 +22,12 @@ export function Results({ study, children }: { study: Study; children: ReactNode
   const busy = useStudy((state) => state.busy !== null);
   const [wanted, setMeasure] = useState("");
   const measure = Math.max(0, study.measures.indexOf(wanted));
+  const picture = useRef<HTMLDivElement>(null);
+  const hasCurve = ["curve", "scatter"].includes(pictureOf(study));
+  const savePicture = () => {
+    const curve = picture.current?.querySelector("svg");
+    if (curve instanceof SVGSVGElement) download(`${study.study}.svg`, svgFileOf(curve), "image/svg+xml");
+  };
   return (
     <>
       <div className="row wrap experiment-head">
@@ -47,13 +55,20 @@ export function Results({ study, children }: { study: Study; children: ReactNode
         <p className="prose muted">{t("experiment.no-runs")}</p>
       ) : (
         <>
-          <StudyPicture study={study} measure={measure} />
+          <div ref={picture}>
+            <StudyPicture study={study} measure={measure} />
+          </div>
           <RunStrip study={study} measure={measure} />
           <ResultTable study={study} />
           <div className="row">
             <Button icon="download" testId="experiment-csv" onClick={() => void downloadTable()}>
               {t("experiment.csv")}
             </Button>
+            {hasCurve ? (
+              <Button icon="download" testId="experiment-svg" onClick={savePicture}>
+                {t("experiment.svg")}
+              </Button>
+            ) : null}
           </div>
         </>
       )}

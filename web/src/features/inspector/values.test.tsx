@@ -6,7 +6,7 @@ import { PARTS } from "../../model/testing/parts";
 import { useStudio } from "../../model/studio";
 import type { Catalogue, Meaning, Method, Program, RobotObject } from "../../model/types";
 import { chooseSimple } from "../../session/simple-view";
-import { setValues } from "../../session/varied";
+import { setValues } from "../../session/varied-axes";
 import { type Graph, leaveGraph, mountGraph } from "../../testing/graph";
 import { Inspector } from "./Inspector";
 
