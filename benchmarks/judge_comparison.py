@@ -176,21 +176,25 @@ def compare(opened: OpenMission, questions: Sequence[str], folder: Path, options
     made.outcome = _judge_recorded_run(opened, asked, folder, options, made)
     # A check of all questions is one exploration; runs are made for each of them.
     dear = _dear(ready, questions, options.dear)
-    judges = {(Judge.CHECK,): asked, (Judge.RUNS,): dear, (Judge.FAILURES,): dear[:1]}
-    for names, its in judges.items():
-        chosen = JudgeOptions(
-            names,
-            check_seconds=options.check_seconds,
-            states=options.states,
-            runs=options.runs,
-            failures=FailureOptions(options.moments, 1),
-            stop=options.stop,
-        )
-        for one in judge_mission(prepared, its, chosen):
+    judges = {Judge.CHECK: asked, Judge.RUNS: dear, Judge.FAILURES: dear[:1]}
+    for judge, its in judges.items():
+        for one in judge_mission(prepared, its, judge_options_of(options, judge)):
             made.said.setdefault(one.judge, {})[one.question] = one
     made.disagreements += run_disagreements(made)
     made.disagreements += check_disagreements(prepared, made, dear, options.stop)
     return made
+
+
+def judge_options_of(options: ComparisonOptions, judge: Judge) -> JudgeOptions:
+    """What is chosen for one of the judges that are asked beside the recorded run."""
+    return JudgeOptions(
+        (judge,),
+        check_seconds=options.check_seconds,
+        states=options.states,
+        runs=options.runs,
+        failures=FailureOptions(options.moments, 1),
+        stop=options.stop,
+    )
 
 
 def _dear(ready: Sequence[str], questions: Sequence[str], count: int) -> list[str]:
