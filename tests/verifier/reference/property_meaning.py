@@ -1,6 +1,7 @@
 """What properties mean, written down plainly: for all ticks, there is a tick. No state, no automaton.
 
-A trace is a list of ticks, each with what holds in it; its first tick is tick 0, the beginning. A run that ends stays as it is.
+A trace is a list of ticks, each with what holds in it; its first tick is tick 0, the beginning. A run that ends stays
+as it is.
 """
 
 from __future__ import annotations

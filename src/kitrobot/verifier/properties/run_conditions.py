@@ -1,7 +1,7 @@
 """Conditions over several agents in a run, simulated or recorded, on what the agents read in their last tick.
 
-The *beginning* of a run, tick 0, is a state too: variables, roles and groups as they are before the first tick, and what
-the sensors read first, which is known once the first tick is over. It is the first state of a check.
+The *beginning* of a run, tick 0, is a state too: variables, roles and groups as they are before the first tick, and
+what the sensors read first, which is known once the first tick is over. It is the first state of a check.
 """
 
 from __future__ import annotations
