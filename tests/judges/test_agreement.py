@@ -279,6 +279,20 @@ def test_a_cut_recording_decides_what_is_in_it(tmp_path: Path) -> None:
     assert {said[name].ruling for name in ("done", "deadlock")} == {JudgeAnswer.NOT_DECIDED}
 
 
+def test_an_approximate_check_says_of_nothing_that_it_is_kept() -> None:
+    opened = opened_mission(SOURCES)
+    asked = (
+        "never any ada (Count.EqualTo(9))",
+        "never any ada (Count.EqualTo(2))",
+        "eventually any ada (Count.EqualTo(2))",
+    )
+    found = kitrobot.judge(opened, *asked, by=["check"], approximate=True)
+    assert [one.ruling.value for one in found] == ["not decided", "broken", "not decided"]
+    assert "by an approximate search, which is no proof" in found[0].reason
+    assert found[1].seed == 1
+    assert "an approximate check cannot decide it" in found[2].reason
+
+
 def test_python_and_json_say_the_same() -> None:
     opened = opened_mission(SOURCES)
     [said] = kitrobot.judge(opened, "any ada (Count.EqualTo(1)) within 0.5", by=["run"], seconds=30.0)

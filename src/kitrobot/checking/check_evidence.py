@@ -103,9 +103,7 @@ def _search_further(
     further: dict[tuple[int, str], tuple[Finding, int]] = {}
     if left and options.states is not None and not options.stop():
         names = tuple(dict.fromkeys(left))
-        found = verify(
-            prepared, replace(options, properties=names, states=FURTHER * options.states, approximate=True)
-        )
+        found = verify(prepared, replace(options, properties=names, states=FURTHER * options.states, approximate=True))
         further = {
             (column.judged.failures, finding.verdict.property.name): (finding, column.judged.states)
             for column in found.columns
