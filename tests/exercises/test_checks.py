@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from kitrobot.checking.check_evidence import FURTHER, collect_check_evidence
