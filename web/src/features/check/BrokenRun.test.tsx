@@ -138,7 +138,7 @@ test("a moment that the simulator does not tell has no button", async () => {
 
 test("both ways are played side by side, in step, from the moment that decided on, and close again", async () => {
   vi.useFakeTimers();
-  const other = { ...WHY.other!, scenes: [scene(1), scene(2), scene(4)] }; // eslint-disable-line @typescript-eslint/no-non-null-assertion
+  const other = { ...WHY.other!, scenes: [scene(1), scene(2), scene(4)] };
   await shown({ ...BROKEN, why: { ...WHY, other } });
   const at = () => ["check-both", "check-way-broken", "check-way-kept"].map((name) => all(name)[0]?.dataset["step"]);
   expect(all("check-both")).toHaveLength(0);
@@ -146,11 +146,11 @@ test("both ways are played side by side, in step, from the moment that decided o
   expect(at()).toEqual(["1", "1", "1"]);
   expect(text("check-way-kept")).toContain("All goes well");
   press("check-steps-play");
-  act(() => vi.advanceTimersByTime(700));
+  act(() => void vi.advanceTimersByTime(700));
   expect(at()).toEqual(["2", "2", "2"]);
   expect(text("check-way-broken")).toContain("a stands.");
   expect(text("check-way-kept")).toContain("b comes.");
-  act(() => vi.advanceTimersByTime(700));
+  act(() => void vi.advanceTimersByTime(700));
   expect(at()).toEqual(["4", "2", "4"]);
   press("check-other");
   expect(all("check-both")).toHaveLength(0);
