@@ -35,6 +35,7 @@ from kitrobot.verifier.model.programs import AbstractionError
 from kitrobot.verifier.model.timing import Timing
 from kitrobot.verifier.properties.conditions import PropertyError
 from kitrobot.verifier.properties.custom_properties import build_custom_property, property_variables
+from kitrobot.verifier.properties.ready_monitors import ENDS_IN_VAIN
 from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.mission_run import PreparedRun, RunOptions
 
@@ -243,7 +244,7 @@ def run_disagreements(made: Comparison) -> Iterator[Disagreement]:
             yield _between("a recording and the monitor of its run", recording, team)
         if recording.ruling is JudgeAnswer.NOT_DECIDED:
             # It lacks what decides this, or is more careful when the time of a run is up (docs/check.md).
-            if run.ruling is JudgeAnswer.BROKEN and not _is_left_out(recording):
+            if run.ruling is JudgeAnswer.BROKEN and not _is_left_out(recording, made.outcome):
                 yield _between("a run and its recording", run, recording)
         elif (run.ruling, run.tick) != (recording.ruling, recording.tick):
             yield _between("a run and its recording", run, recording)
@@ -254,9 +255,12 @@ def run_disagreements(made: Comparison) -> Iterator[Disagreement]:
             yield _between("a run and the first of many", run, runs)
 
 
-def _is_left_out(recording: Judgement) -> bool:
-    """Whether a recording never decides that (docs/check.md)."""
-    return recording.question == "stock" or recording.question == "stopped" or recording.question.startswith("meets-")
+def _is_left_out(recording: Judgement, outcome: str) -> bool:
+    """Whether a recording of a run with that outcome does not decide that (docs/check.md)."""
+    question = recording.question
+    if question.startswith("served-"):
+        return outcome in ENDS_IN_VAIN
+    return question in ("stock", "stopped") or question.startswith("meets-")
 
 
 def check_disagreements(
