@@ -35,6 +35,7 @@ from kitrobot.verifier.model.programs import AbstractionError
 from kitrobot.verifier.model.timing import Timing
 from kitrobot.verifier.properties.conditions import PropertyError
 from kitrobot.verifier.properties.custom_properties import build_custom_property, property_variables
+from kitrobot.verifier.properties.ready_monitors import ENDS_IN_VAIN
 from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.mission_run import PreparedRun, RunOptions
 
@@ -176,21 +177,25 @@ def compare(opened: OpenMission, questions: Sequence[str], folder: Path, options
     made.outcome = _judge_recorded_run(opened, asked, folder, options, made)
     # A check of all questions is one exploration; runs are made for each of them.
     dear = _dear(ready, questions, options.dear)
-    judges = {(Judge.CHECK,): asked, (Judge.RUNS,): dear, (Judge.FAILURES,): dear[:1]}
-    for names, its in judges.items():
-        chosen = JudgeOptions(
-            names,
-            check_seconds=options.check_seconds,
-            states=options.states,
-            runs=options.runs,
-            failures=FailureOptions(options.moments, 1),
-            stop=options.stop,
-        )
-        for one in judge_mission(prepared, its, chosen):
+    judges = {Judge.CHECK: asked, Judge.RUNS: dear, Judge.FAILURES: dear[:1]}
+    for judge, its in judges.items():
+        for one in judge_mission(prepared, its, judge_options_of(options, judge)):
             made.said.setdefault(one.judge, {})[one.question] = one
     made.disagreements += run_disagreements(made)
     made.disagreements += check_disagreements(prepared, made, dear, options.stop)
     return made
+
+
+def judge_options_of(options: ComparisonOptions, judge: Judge) -> JudgeOptions:
+    """What is chosen for one of the judges that are asked beside the recorded run."""
+    return JudgeOptions(
+        (judge,),
+        check_seconds=options.check_seconds,
+        states=options.states,
+        runs=options.runs,
+        failures=FailureOptions(options.moments, 1),
+        stop=options.stop,
+    )
 
 
 def _dear(ready: Sequence[str], questions: Sequence[str], count: int) -> list[str]:
@@ -239,7 +244,7 @@ def run_disagreements(made: Comparison) -> Iterator[Disagreement]:
             yield _between("a recording and the monitor of its run", recording, team)
         if recording.ruling is JudgeAnswer.NOT_DECIDED:
             # It lacks what decides this, or is more careful when the time of a run is up (docs/check.md).
-            if run.ruling is JudgeAnswer.BROKEN and not _is_left_out(recording):
+            if run.ruling is JudgeAnswer.BROKEN and not _is_left_out(recording, made.outcome):
                 yield _between("a run and its recording", run, recording)
         elif (run.ruling, run.tick) != (recording.ruling, recording.tick):
             yield _between("a run and its recording", run, recording)
@@ -250,9 +255,12 @@ def run_disagreements(made: Comparison) -> Iterator[Disagreement]:
             yield _between("a run and the first of many", run, runs)
 
 
-def _is_left_out(recording: Judgement) -> bool:
-    """Whether a recording never decides that (docs/check.md)."""
-    return recording.question == "stock" or recording.question == "stopped" or recording.question.startswith("meets-")
+def _is_left_out(recording: Judgement, outcome: str) -> bool:
+    """Whether a recording of a run with that outcome does not decide that (docs/check.md)."""
+    question = recording.question
+    if question.startswith("served-"):
+        return outcome in ENDS_IN_VAIN
+    return question in ("stock", "stopped") or question.startswith("meets-")
 
 
 def check_disagreements(

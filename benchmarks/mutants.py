@@ -5,12 +5,15 @@
 Each mission is judged unchanged first. A mutant is *found* by a judge that says *broken* of something of which it did
 not say so of the mission unchanged. The rows are kept in a file, a line of JSON each; a file that is there already is
 gone on with, and `--count 0` prints its table alone.
+
+Each mission gets as much processor time as the others, so small ones have more mutants judged.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+import os
 import sys
 import tempfile
 import time
@@ -20,9 +23,17 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from benchmarks.judge_comparison import Comparison, ComparisonOptions, compare, questions_of, run_length
+from benchmarks.judge_comparison import (
+    Comparison,
+    ComparisonOptions,
+    compare,
+    judge_options_of,
+    questions_of,
+    run_length,
+)
 from benchmarks.mutation import Mutant, Operator, mutants
-from kitrobot.judges.judgement import Judge
+from kitrobot.judges.judgement import Judge, JudgeAnswer
+from kitrobot.judges.mission_judges import judge_mission
 from kitrobot.workspace.child_processes import cores
 from kitrobot.workspace.mission_loader import OpenMission, open_mission
 from kitrobot.workspace.mission_run import RunOptions
@@ -31,14 +42,17 @@ from kitrobot.workspace.task_pool import run_tasks
 EXAMPLES = Path(__file__).parents[1] / "examples"
 UNCHANGED = -1
 """The number of a mission as it is, among its mutants."""
-_MOST_ROBOT_SECONDS = 500.0
-_LONGEST_S, _SHORTEST_S = 60.0, 10.0
+_MOST_ROBOT_SECONDS = 150.0
+_LONGEST_S, _SHORTEST_S = 30.0, 10.0
 
-_ASKED = 5
+_ASKED = 3
 """Questions for a mutant besides the ready ones."""
+_USUAL_S = 1.0
+"""What a mutant is taken to cost while it is judged, in seconds of processor time."""
 
 Row = dict[str, Any]
 _Task = tuple[str, int]
+_Answer = tuple[_Task, Row | None]
 
 
 class MutatedMission:
@@ -50,6 +64,7 @@ class MutatedMission:
         self.questions = questions_of(self.opened, seed)
         self._coming = mutants(self.opened, seed)
         self._made: list[Mutant] = []
+        self._rulings: dict[tuple[Judge, str], str] = {}
         robots = max(1, len(self.opened.mission.team.agents))
         limit = max(_SHORTEST_S, min(_LONGEST_S, _MOST_ROBOT_SECONDS / robots))
         outcome, seconds = run_length(self.opened.prepare(RunOptions(1, limit)).simulation)
@@ -63,6 +78,15 @@ class MutatedMission:
                 return None
             self._made.append(made)
         return self._made[number]
+
+    def ruling(self, judge: Judge, question: str, options: ComparisonOptions) -> str:
+        """What many runs or failures say of the mission as it is; asked for once."""
+        known = self._rulings.get((judge, question))
+        if known is None:
+            prepared = self.opened.prepare(RunOptions(1, options.seconds))
+            [said] = judge_mission(prepared, [question], judge_options_of(options, judge))
+            known = self._rulings[judge, question] = said.ruling.value
+        return known
 
     def asked(self, number: int) -> list[str]:
         """The questions for a mutant, others for each; all of them for the mission as it is."""
@@ -84,7 +108,17 @@ def judge_mutant(mission: MutatedMission, number: int, folder: Path, options: Co
         row |= {"program": mutant.program, "operator": mutant.operator.value, "change": mutant.change}
     began = time.process_time()
     made: Comparison = compare(opened, mission.asked(number), folder, options)
+    # The mission as it is was asked for other questions by those that make runs for each.
+    unchanged = {
+        judge.value: {
+            question: mission.ruling(judge, question, options)
+            for question, one in made.said.get(judge, {}).items()
+            if number != UNCHANGED and one.ruling is JudgeAnswer.BROKEN
+        }
+        for judge in (Judge.RUNS, Judge.FAILURES)
+    }
     return row | {
+        "unchanged": unchanged,
         "seconds": mission.seconds,
         "outcome": made.outcome,
         "said": made.rulings(),
@@ -102,13 +136,11 @@ def missions() -> list[str]:
 
 def found_by(row: Row, unchanged: Row) -> set[str]:
     """The judges that find what is wrong in a mutant, by questions that the unchanged one was asked too."""
+    said = {judge: row.get("unchanged", {}).get(judge) or unchanged["said"].get(judge, {}) for judge in row["said"]}
     return {
         judge
         for judge, rulings in row["said"].items()
-        if any(
-            ruling == "broken" and unchanged["said"].get(judge, {}).get(question, "broken") != "broken"
-            for question, ruling in rulings.items()
-        )
+        if any(ruling == "broken" and said[judge].get(name, "broken") != "broken" for name, ruling in rulings.items())
     }
 
 
@@ -155,20 +187,19 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--seed", type=int, default=1, help="where chance begins (1)")
     parser.add_argument("--jobs", type=int, default=cores(), help="so many processes; one for each core")
     parser.add_argument("--minutes", type=float, default=60.0, help="leaves off after so long (60)")
-    parser.add_argument("--each", type=float, default=12.0, help="seconds of processor time for one mutant, about (12)")
+    parser.add_argument("--each", type=float, default=8.0, help="seconds of processor time for one mutant, about (8)")
     given = parser.parse_args(arguments)
     rows = _read_rows(given.rows)
     ends = time.monotonic() + 60 * given.minutes
-    there = {(row["mission"], row["number"]) for row in rows}
-    names = missions() if given.count else []
-    each = -(-given.count // max(1, len(names)))
-    # More than `each` for those missions that have so many, where small ones have fewer.
-    tasks = ((name, number) for number in range(UNCHANGED, 4 * each) for name in names)
-    left = (task for task in tasks if task not in there)
+    order = JudgingOrder(missions() if given.count else [], rows)
     count = sum(row["number"] != UNCHANGED for row in rows)
+    # Compiled, no run of a mutant would be quicker by as much as it takes to compile.
+    os.environ.setdefault("KITROBOT_COMPILE", "no")
     with given.rows.open("a", encoding="utf-8") as file:
-        found = run_tasks(_work, left, given.jobs, _begin, (given.seed, given.each), lambda: time.monotonic() > ends)
-        for row in found if count < given.count else ():
+        begin = (given.seed, given.each)
+        found = run_tasks(_work, order, given.jobs, _begin, begin, lambda: time.monotonic() > ends)
+        for task, row in found if count < given.count else ():
+            order.judged(task, row)
             if row is None:
                 continue
             file.write(json.dumps(row, ensure_ascii=False) + "\n")
@@ -184,6 +215,41 @@ def main(arguments: list[str] | None = None) -> int:
     return 1 if told else 0
 
 
+class JudgingOrder:
+    """What is judged next: first each mission as it is, then a mutant of the mission that took the least time so far.
+
+    Args:
+        names: the missions.
+        rows: what is judged already.
+    """
+
+    def __init__(self, names: Iterable[str], rows: Iterable[Row]) -> None:
+        self._spent = dict.fromkeys(names, 0.0)
+        self._known: dict[str, set[int]] = {name: set() for name in self._spent}
+        self._next = dict.fromkeys(self._spent, UNCHANGED)
+        for row in rows:
+            if row["mission"] in self._spent:
+                self._known[row["mission"]].add(row["number"])
+                self._spent[row["mission"]] += row["processor_s"]
+
+    def __iter__(self) -> Iterator[_Task]:
+        while self._next:
+            name = min(self._next, key=lambda one: (self._next[one] > UNCHANGED, self._spent[one]))
+            number = self._next[name]
+            self._next[name] = number + 1
+            if number not in self._known[name]:
+                self._spent[name] += _USUAL_S
+                yield name, number
+
+    def judged(self, task: _Task, row: Row | None) -> None:
+        """Takes in what came of a task; None: the mission has not so many mutants."""
+        name, _ = task
+        if row is None:
+            self._next.pop(name, None)
+        else:
+            self._spent[name] += row["processor_s"] - _USUAL_S
+
+
 def _read_rows(path: Path) -> list[Row]:
     return [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()] if path.exists() else []
 
@@ -197,15 +263,20 @@ def _begin(seed: int, each: float, leave_off: Any) -> None:
     _here[:] = [seed, each, leave_off, tempfile.TemporaryDirectory(), {}]
 
 
-def _work(task: _Task) -> Row | None:
+def _work(task: _Task) -> _Answer:
     seed, each, leave_off, folder, known = _here
     name, number = task
     if name not in known:
         known[name] = MutatedMission(name, seed)
     mission = known[name]
     ends = time.process_time() + each
-    options = ComparisonOptions(mission.seconds, stop=lambda: leave_off.is_set() or time.process_time() > ends)
-    return judge_mutant(mission, number, Path(folder.name), options)
+    options = ComparisonOptions(
+        mission.seconds,
+        states=2_000,
+        moments=1,
+        stop=lambda: leave_off.is_set() or time.process_time() > ends,
+    )
+    return task, judge_mutant(mission, number, Path(folder.name), options)
 
 
 if __name__ == "__main__":

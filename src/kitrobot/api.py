@@ -226,7 +226,8 @@ def judge(
         mission: of a recording, the mission whose properties are meant; None: the one in it.
         limits: `seed` of the first run (1); `seconds`, simulated ones of a run (600); `fail_rate` (0); `runs`, how many
             (100); `moments`, at which robots fail (20); `check_seconds`, of one property (60); `timings`, of the check
-            (`lockstep`); `jobs`, so many processes (1; with several, a script needs `if __name__ == "__main__":`).
+            (`lockstep`); `approximate`, whether it forgets states to look at more; `jobs`, so many processes (1; with
+            several, a script needs `if __name__ == "__main__":`).
 
     Raises:
         ProblemsError: the mission has errors.
@@ -256,6 +257,7 @@ def judge(
         limits.get("check_seconds", 60.0),
         limits.get("runs", 100),
         *(limits.get("moments", 20), limits.get("jobs", 1)),
+        approximate=limits.get("approximate", False),
     )
     return list(judge_mission(prepared, questions, chosen))
 

@@ -37,7 +37,7 @@ def test_an_exercise_is_read_with_everything_in_it_and_fits_its_schema() -> None
     assert done == DoneGoal({"": "It ends", "fr": "Il finit"}, 2, False)
     assert draws == DrawingGoal({"": "A square"}, 1, False, 4, 150.0, 30.0, "")
     assert parts == Parts({"": "At most 12 parts"}, 1, True, "", 12)
-    assert holds == CheckGoal({"": "Never stuck"}, 1, False, "deadlock", "lockstep", 0, 100_000)
+    assert holds == CheckGoal({"": "Never stuck"}, 1, False, "deadlock", "lockstep", 0, 100_000, False)
     assert found.goals_for(hidden=False) == (done, draws, holds)
     assert found.seeds_for(hidden=False) == (1,)
     schema().validate(EXERCISE)

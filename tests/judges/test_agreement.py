@@ -225,6 +225,40 @@ def test_an_event_that_breaks_a_property_has_one_tick_for_all_judges(tmp_path: P
     assert [one is not None and one.holds for one in answers] == [False, False, True]
 
 
+@pytest.mark.parametrize(
+    ("question", "ruling", "tick"),
+    [
+        ("eventually any ada (Count.EqualTo(0))", JudgeAnswer.KEPT, -1),
+        ("never any ada (Count.EqualTo(0))", JudgeAnswer.BROKEN, 0),
+        ("never any ada (Count.EqualTo(0)) while any bob (Count.EqualTo(0))", JudgeAnswer.BROKEN, 0),
+        ("any bob (Count.EqualTo(1)) before any ada (Count.EqualTo(0))", JudgeAnswer.BROKEN, 0),
+        ("stays any ada (Count.EqualTo(0)) until any bob (Count.EqualTo(1))", JudgeAnswer.BROKEN, 1),
+        ("visit any ada (Count.EqualTo(0)); any ada (Count.EqualTo(1)) in this order", JudgeAnswer.KEPT, -1),
+        # What a sensor reads first is read of the beginning; a check cannot decide it.
+        ("never any ada (Captor.GreaterThan(0))", JudgeAnswer.BROKEN, 0),
+        ("holds any ada (Count.EqualTo(0)) for 0.04", JudgeAnswer.BROKEN, 1),
+        ("holds any ada (Count.EqualTo(0)) for 0.02", JudgeAnswer.KEPT, -1),
+    ],
+)
+def test_the_beginning_counts_for_every_judge(question: str, ruling: JudgeAnswer, tick: int, tmp_path: Path) -> None:
+    opened = opened_mission(SOURCES | {"ada": "Count.Add(1); WAIT(10); Count.Add(1);"})
+    trace = tmp_path / "run.krtrace"
+    recorded = opened.prepare(RunOptions(1, 30.0, 0.0, trace))
+    watch = RunWatch(recorded.simulation, [question])
+    recorded.run(watch=watch.after_step)
+    options = JudgeOptions((Judge.CHECK, Judge.RUN, Judge.RUNS), runs=2, failures=FailureOptions(1, 1))
+    [check, run, runs] = judge_mission(opened.prepare(RunOptions(1, 30.0)), [question], options)
+    [watched], [recording] = watch.judgements(""), judge_recording(trace, [question])
+    for one in (run, runs, watched, recording):
+        assert (one.ruling, one.tick) == (ruling, tick), one.judge
+    # The words are one another's too: when it was decided, where it was.
+    assert run.reason == recording.reason or recording.reason == "kept in this run, to its end"
+    if "Captor" in question or "holds" in question:
+        assert check.ruling is JudgeAnswer.NOT_DECIDED
+    else:
+        assert (check.ruling, check.tick) == (ruling, tick)
+
+
 def test_a_recording_of_another_mission_is_refused(tmp_path: Path) -> None:
     trace = tmp_path / "run.krtrace"
     opened_mission(SOURCES).prepare(RunOptions(1, 30.0, 0.0, trace)).run()
@@ -243,6 +277,20 @@ def test_a_cut_recording_decides_what_is_in_it(tmp_path: Path) -> None:
     assert said[QUESTIONS[1]].ruling is JudgeAnswer.NOT_DECIDED
     assert "may still come" in said[QUESTIONS[1]].reason
     assert {said[name].ruling for name in ("done", "deadlock")} == {JudgeAnswer.NOT_DECIDED}
+
+
+def test_an_approximate_check_says_of_nothing_that_it_is_kept() -> None:
+    opened = opened_mission(SOURCES)
+    asked = (
+        "never any ada (Count.EqualTo(9))",
+        "never any ada (Count.EqualTo(2))",
+        "eventually any ada (Count.EqualTo(2))",
+    )
+    found = kitrobot.judge(opened, *asked, by=["check"], approximate=True)
+    assert [one.ruling.value for one in found] == ["not decided", "broken", "not decided"]
+    assert "by an approximate search, which is no proof" in found[0].reason
+    assert found[1].seed == 1
+    assert "an approximate check cannot decide it" in found[2].reason
 
 
 def test_python_and_json_say_the_same() -> None:

@@ -12,7 +12,8 @@ import pytest
 from benchmarks.judge_comparison import Comparison, ComparisonOptions, compare, run_disagreements
 from benchmarks.mutants import EXAMPLES, UNCHANGED, MutatedMission, found_by, judge_mutant, main, table
 from benchmarks.mutation import Operator, mutants
-from kitrobot.judges.judgement import Judge, JudgeAnswer
+from kitrobot.judges.judgement import Judge, JudgeAnswer, Judgement
+from kitrobot.text.sentences import Sentence
 from kitrobot.workspace.mission_loader import open_mission
 from tests.effort import cases
 
@@ -61,6 +62,15 @@ def test_a_recording_that_says_another_thing_than_its_run_is_a_disagreement(tmp_
         [found] = run_disagreements(made)
         assert found.question == "deadlock"
         made.said[judge]["deadlock"] = was
+
+
+@pytest.mark.parametrize(("outcome", "faults"), [("stuck", 0), ("time", 0), ("done", 1)])
+def test_a_recording_need_not_decide_what_it_does_not_hold(outcome: str, faults: int) -> None:
+    run = Judgement(Judge.RUN, "", "served-a", Sentence("a is served"), JudgeAnswer.BROKEN, Sentence("waits"), 5)
+    recording = replace(run, judge=Judge.RECORDING, ruling=JudgeAnswer.NOT_DECIDED, tick=-1)
+    said = {Judge.RUN: run, Judge.RECORDING: recording, Judge.TEAM: replace(recording, judge=Judge.TEAM)}
+    made = Comparison({judge: {"served-a": one} for judge, one in said.items()} | {Judge.RUNS: {}}, outcome=outcome)
+    assert len(list(run_disagreements(made))) == faults
 
 
 def test_a_judge_finds_what_it_did_not_say_of_the_mission_unchanged(

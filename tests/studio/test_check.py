@@ -46,7 +46,7 @@ def greedy(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, open_studio) -> str:
 
 @pytest.mark.thorough(
     "web/src/features/check/CheckPanel.test.tsx: a property is written, a check stopped, answers walked and played;"
-    " BrokenRun.test.tsx: why, and the other way; server/test_verification_socket.py; with a server: "
+    " BrokenRun.test.tsx: why, and both ways; server/test_verification_socket.py; with a server: "
     "test_many_runs.py"
 )
 def test_a_property_is_written_and_what_is_broken_is_told_and_played_and_a_check_can_be_stopped(
@@ -104,7 +104,7 @@ def test_a_property_is_written_and_what_is_broken_is_told_and_played_and_a_check
     expect(studio.at("check-why").locator("li").first).to_contain_text("reaches into the empty storehouse")
     expect(studio.page.locator('[data-decided="true"]').first).to_be_attached()
     studio.at("check-other").click()
-    expect(studio.at("check-steps")).to_be_visible()
+    expect(studio.at("check-both")).to_be_visible()
     find_nothing(studio, "the check with a run open")
     studio.at("check-run").get_by_role("button").first.click()
     expect(studio.at("check-run")).to_have_count(0)

@@ -40,7 +40,7 @@ def sparse(rng: random.Random, size: int) -> Trace:
 def judge(one: AskedProperty, trace: Trace) -> tuple[PropertyAutomaton, int]:
     """The automaton after a trace, and the tick in which it was broken; -1 for none."""
     automaton = PropertyAutomaton(one, TICK_MS)
-    for tick, now in enumerate(trace, 1):
+    for tick, now in enumerate(trace):
         if automaton.read(tick, now) is PropertyState.BROKEN:
             return automaton, tick
     return automaton, -1
@@ -49,7 +49,7 @@ def judge(one: AskedProperty, trace: Trace) -> tuple[PropertyAutomaton, int]:
 def check(one: AskedProperty, trace: Trace) -> tuple[bool, bool]:
     """Compares both on a trace and all its beginnings; whether it is broken, and whether by its end."""
     automaton, broken = judge(one, trace)
-    first = next((n for n in range(1, len(trace) + 1) if is_broken_so_far(one, trace[:n], TICK_MS)), -1)
+    first = next((n for n in range(len(trace)) if is_broken_so_far(one, trace[: n + 1], TICK_MS)), -1)
     assert broken == first, (one, trace)
     by_end = is_broken_by_end(one, trace, TICK_MS)
     assert automaton.is_broken_by_end() == by_end, (one, trace)

@@ -8,20 +8,17 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Any
 
-from kitrobot.checking.run_explanation import RunExplanation
 from kitrobot.checking.verification import VerificationError, VerificationOptions, verify_runs
-from kitrobot.checking.verification_result import Column, Finding, Verification
+from kitrobot.checking.verification_result import Column, Finding, RunReport, Verification
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.sim.run_spec import RunSpec
 from kitrobot.text.sentences import Sentence
 from kitrobot.verifier.exploration.budget import CutReason
 from kitrobot.verifier.model.timing import Timing
 from kitrobot.verifier.properties.verdicts import Answer
-from kitrobot.verifier.report.replay import ConfirmedRun
-from kitrobot.verifier.report.storyboard import Culprit, Scene
 from kitrobot.workspace.child_processes import end_with_parent, has_processes
 from kitrobot.workspace.mission_run import PreparedRun
 
@@ -60,7 +57,7 @@ class ExplorationProgress:
 
 
 @dataclass(frozen=True)
-class PropertyAnswer:
+class PropertyAnswer(RunReport):
     """What came of one property under one assumption.
 
     Attributes:
@@ -68,13 +65,7 @@ class PropertyAnswer:
         answer: the answer.
         steps: of one that is broken, the steps of the run that breaks it.
         repeats_from: the step from which on it repeats; -1: it does not.
-        story: its events, each with its step.
-        left_out: how many of them are left out in the middle.
-        confirmed: the run of the simulator that breaks it too, if one was found.
-        searched: whether the simulator was looked through for one.
-        scenes, guilty: the run as pictures, and where it is broken.
-        places: its steps as a walk by hand takes them; none before the simulator was looked through.
-        why: why it is broken, once that is known.
+        left_out: how many of its events are left out in the middle.
     """
 
     name: str
@@ -82,14 +73,7 @@ class PropertyAnswer:
     answer: Answer
     steps: int = 0
     repeats_from: int = -1
-    story: tuple[tuple[int, Sentence], ...] = ()
     left_out: int = 0
-    confirmed: ConfirmedRun | None = None
-    searched: bool = True
-    scenes: tuple[Scene, ...] = ()
-    guilty: tuple[Culprit, ...] = ()
-    places: tuple[int, ...] = ()
-    why: RunExplanation | None = None
 
 
 @dataclass(frozen=True)
@@ -253,21 +237,8 @@ def _answered(finding: Finding) -> PropertyAnswer:
     left_out = max(0, len(story) - MOST_EVENTS)
     if left_out:
         story = (*story[: MOST_EVENTS // 2], *story[left_out + MOST_EVENTS // 2 :])
-    return PropertyAnswer(
-        one.name,
-        one.sentence,
-        verdict.answer,
-        len(run.steps),
-        run.repeats_from,
-        story,
-        left_out,
-        finding.confirmed,
-        finding.searched,
-        finding.scenes,
-        finding.guilty,
-        finding.places,
-        finding.why,
-    )
+    shown = {field.name: getattr(finding, field.name) for field in fields(RunReport)} | {"story": story}
+    return PropertyAnswer(one.name, one.sentence, verdict.answer, len(run.steps), run.repeats_from, left_out, **shown)
 
 
 def memory_taken() -> int:

@@ -2,8 +2,8 @@
 
 The work is bounded by steps: each run ends after the exercise's simulated seconds, each check after its states. `stop`
 ends it between two stretches of a run or within a check; results found until then are returned. The result contains
-nothing that depends on wall-clock time. Left to others: what a goal is (`exercise`), processes and tables for a class
-(`classroom.grading`).
+nothing that depends on wall-clock time. Left to others: what a goal is (`exercise`), checking (`check_evidence`),
+processes and tables for a class (`classroom.grading`).
 """
 
 from __future__ import annotations
@@ -11,15 +11,14 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import Final, Literal
+from typing import Final
 
-from kitrobot.checking.verification import VerificationError, VerificationOptions, verify
-from kitrobot.checking.verification_result import Finding
+from kitrobot.checking.check_evidence import collect_check_evidence, group_alike
 from kitrobot.compiler.target import target_of
 from kitrobot.compiler.text.part_text import draw_template
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError
 from kitrobot.diagnostics.problems import ProblemsError
-from kitrobot.exercise.evidence import CheckEvidence, Contact, PathPoint, ProgramEvidence, RunEvidence
+from kitrobot.exercise.evidence import Contact, PathPoint, ProgramEvidence, RunEvidence
 from kitrobot.exercise.goals import CheckGoal, Fault, Goal, ProgramGoal, RunGoal
 from kitrobot.exercise.model import Exercise
 from kitrobot.graph.model import IN, RETURN, START, STOP, Program
@@ -32,9 +31,6 @@ from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.step.pens import pens_of
 from kitrobot.text.sentences import Label, Sentence
 from kitrobot.trace.drawing import Drawing
-from kitrobot.verifier.model.programs import AbstractionError
-from kitrobot.verifier.model.timing import Timing
-from kitrobot.verifier.properties.verdicts import Answer
 from kitrobot.workspace.exercises import handed_in
 from kitrobot.workspace.mission_loader import OpenMission, with_mission
 from kitrobot.workspace.mission_run import PreparedRun, RunOptions
@@ -44,17 +40,6 @@ STRETCH: Final = 250
 """Steps of the simulator between two looks at `stop`."""
 LEAST_MOVE_MM: Final = 1.0
 """Points of a path are at least so far apart."""
-STEPS_SHOWN: Final = 4
-"""How many of the last steps are shown of a model run that breaks a property."""
-
-_ANSWERS: Final[dict[Answer, Literal["holds", "broken", "not finished", "vacuous"]]] = {
-    Answer.BROKEN: "broken",
-    Answer.NOT_FINISHED: "not finished",
-    Answer.VACUOUS: "vacuous",
-    Answer.HOLDS: "holds",
-}
-"""From the worst to the best."""
-
 Progress = Callable[[int, int], None]
 """Called with how many pieces of work are over, and how many there are."""
 
@@ -170,7 +155,7 @@ def evaluate_submission(
             count_done()
     for goal in run_goals:
         found[id(goal)] = _of_runs(goal, verdicts[id(goal)], len(seeds))
-    for alike in _alike(checks):
+    for alike in group_alike(checks):
         if options.stop():
             break
         seen_of = collect_check_evidence(prepared, alike, options.stop)
@@ -336,60 +321,3 @@ def _follow(simulation: Simulation, paths: list[list[PathPoint]]) -> None:
         last = path[-1]
         if abs(x - last.x) + abs(y - last.y) >= LEAST_MOVE_MM:
             path.append(PathPoint(x, y, simulation.seconds))
-
-
-# -- what is seen by checking
-
-
-def _alike(checks: Iterable[CheckGoal]) -> list[list[CheckGoal]]:
-    """The goals that one search decides together."""
-    found: dict[tuple[str, int, int], list[CheckGoal]] = {}
-    for check in checks:
-        found.setdefault((check.timing, check.failures, check.states), []).append(check)
-    return list(found.values())
-
-
-def collect_check_evidence(
-    prepared: PreparedRun, goals: Sequence[CheckGoal], stop: Callable[[], bool] = _never
-) -> dict[str, CheckEvidence]:
-    """Checks the properties of goals that are alike, bounded by their states, in one search.
-
-    Of each property the worst answer counts: of all numbers of failures, and of all agents that it is about.
-    """
-    like = goals[0]
-    wanted = tuple(dict.fromkeys(goal.property for goal in goals))
-    options = VerificationOptions(
-        wanted, (Timing(like.timing),), like.failures, states=like.states, seconds=None, stop=stop
-    )
-    try:
-        made = verify(prepared, options)
-    except VerificationError as error:
-        if len(wanted) == 1:
-            return {wanted[0]: CheckEvidence("none", error.message)}
-        # One of them does not fit this mission: each by itself.
-        return {goal.property: collect_check_evidence(prepared, [goal], stop)[goal.property] for goal in goals}
-    except AbstractionError as error:
-        return dict.fromkeys(wanted, CheckEvidence("none", error.message))
-    seen = {}
-    for name in wanted:
-        findings = [
-            finding
-            for column in made.columns
-            for finding in column.findings
-            if finding.verdict.property.name == name or finding.verdict.property.name.startswith(f"{name}-")
-        ]
-        if findings:
-            worst = min(findings, key=lambda finding: list(_ANSWERS).index(finding.verdict.answer))
-            seen[name] = _check_evidence(worst, made.tick_ms)
-        else:
-            seen[name] = CheckEvidence("none", Sentence("nothing was checked"))
-    return seen
-
-
-def _check_evidence(finding: Finding, tick_ms: int) -> CheckEvidence:
-    verdict, confirmed = finding.verdict, finding.confirmed
-    steps = tuple(dict.fromkeys(text for _, text in finding.story[-STEPS_SHOWN:]))
-    seed = seconds = None
-    if confirmed is not None and not confirmed.faults:
-        seed, seconds = confirmed.seed, confirmed.tick * tick_ms / 1000
-    return CheckEvidence(_ANSWERS[verdict.answer], verdict.property.sentence, seed, seconds, steps)

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
+from kitrobot.checking.checked_model import abstract_asked, build_checked_model
 from kitrobot.checking.verification import require_failures
 from kitrobot.mission.trial import FailureKind
-from kitrobot.verifier.model.abstraction import abstract_run
-from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.model.table_builder import USUAL_KINDS
 from kitrobot.verifier.model.timing import Timing
-from kitrobot.verifier.properties.custom_properties import build_custom_properties, property_variables
-from kitrobot.verifier.properties.properties import ready_properties
 from kitrobot.verifier.report.state_walk import StateWalk
 from kitrobot.workspace.mission_run import PreparedRun
 
@@ -37,7 +34,5 @@ def begin_walk(
     """
     require_failures(failures)
     run = prepared.spec.simulation(prepared.options.seed)
-    asked = run.mission.properties
-    model = Model(run, abstract_run(run, property_variables(run, asked)), failures, timing, kinds)
-    own, _ = build_custom_properties(model, asked)
-    return StateWalk(model, [*ready_properties(model), *own])
+    made = build_checked_model(run, abstract_asked(run), failures, timing, kinds)
+    return StateWalk(made.model, made.properties)

@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from kitrobot.checking.checked_model import abstract_asked, build_checked_model
 from kitrobot.checking.run_explanation import describe_story, explain_verdict, place_explanation
 from kitrobot.checking.verification_result import Column, Finding, Verification
 from kitrobot.diagnostics.model import KitRobotError
@@ -14,17 +15,12 @@ from kitrobot.mission.trial import FailureKind
 from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import COMMA, Sentence, Series
 from kitrobot.verifier.exploration.budget import Budget
-from kitrobot.verifier.model.abstraction import Abstraction, abstract_run
+from kitrobot.verifier.model.abstraction import Abstraction
 from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.model.table_builder import USUAL_KINDS
 from kitrobot.verifier.model.timing import Timing
 from kitrobot.verifier.properties.approximate_verdicts import check_approximately
-from kitrobot.verifier.properties.custom_properties import (
-    build_custom_properties,
-    build_custom_property,
-    property_variables,
-)
-from kitrobot.verifier.properties.properties import Property, ready_properties
+from kitrobot.verifier.properties.properties import Property
 from kitrobot.verifier.properties.verdicts import Verdict, check_properties
 from kitrobot.verifier.report.counterexample_text import free_readings
 from kitrobot.verifier.report.explanation import MOST_NODES
@@ -129,20 +125,17 @@ def verify_runs(
     require_failures(options.failures)
     cores = _usable(options.cores)
     run = runs(seed)
-    asked = run.mission.properties
     names = (*options.properties, *(one.name for one in options.asked))
-    parts = abstract_run(run, property_variables(run, (*asked, *options.asked)))
+    parts = abstract_asked(run, options.asked)
     limits = list(parts.limits)
     ends = None if options.seconds is None else options.clock() + options.seconds
     columns: list[Column] = []
     search = _Search(runs, options, ends)
     assumptions = list(_assumptions(options))
     for failures, timing in assumptions:
-        model = Model(run, parts, failures, timing, options.kinds)
-        own, left_out = build_custom_properties(model, asked)
-        own += [build_custom_property(model, one) for one in options.asked]
+        model, properties, left_out = build_checked_model(run, parts, failures, timing, options.kinds, options.asked)
         limits += [words for words in left_out if words not in limits]
-        properties = _chosen([*ready_properties(model), *own], names)
+        properties = _chosen(properties, names)
         if columns and (options.stop() or (ends is not None and options.clock() > ends)):
             break
         limits += [words for words in _failure_limits(parts, options, failures, properties) if words not in limits]

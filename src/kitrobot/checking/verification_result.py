@@ -15,16 +15,20 @@ from kitrobot.verifier.report.replay import ConfirmedRun
 from kitrobot.verifier.report.storyboard import Culprit, Scene
 
 
-@dataclass(frozen=True)
-class Finding:
-    """A verdict, with the run of the simulator that confirms it where one was found, and the model's run in words.
+@dataclass(frozen=True, kw_only=True)
+class RunReport:
+    """A run that breaks a property as it is shown, in plain values; empty where nothing is broken.
 
-    `searched`: whether the simulator was looked through for such a run, and why it is broken was asked, or need not be.
-    `scenes`, `guilty`: the run as pictures, and `places`: its steps as a walk by hand takes them (`state_walk`), where
-    pictures are wanted. `why`: why it is broken, where that is wanted.
+    Attributes:
+        confirmed: the run of the simulator that breaks it too, if one was found.
+        story: the events of the model's run in words, each with its step.
+        searched: whether the simulator was looked through for such a run, and why it is broken was asked, or need not
+            be.
+        scenes, guilty: the run as pictures, and where it is broken, where pictures are wanted.
+        places: its steps as a walk by hand takes them (`state_walk`), as `scenes`.
+        why: why it is broken, where that is wanted.
     """
 
-    verdict: Verdict
     confirmed: ConfirmedRun | None = None
     story: tuple[tuple[int, Sentence], ...] = ()
     searched: bool = True
@@ -32,6 +36,13 @@ class Finding:
     guilty: tuple[Culprit, ...] = ()
     places: tuple[int, ...] = ()
     why: RunExplanation | None = None
+
+
+@dataclass(frozen=True)
+class Finding(RunReport):
+    """A verdict, with the run that breaks the property."""
+
+    verdict: Verdict
 
 
 @dataclass(frozen=True)

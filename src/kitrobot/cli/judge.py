@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from kitrobot.cli.judgements import print_judgements
-from kitrobot.cli.options import Jobs, ResultAsJson
+from kitrobot.cli.options import IsApproximate, Jobs, ResultAsJson
 from kitrobot.cli.output import print_diagnostics
 from kitrobot.cli.run import FailRate, Seed, check_run_numbers
 
@@ -71,6 +71,7 @@ def judge_files(
     runs: MostRuns = 100,
     moments: Moments = 20,
     jobs: Jobs = None,
+    approximate: IsApproximate = False,
     as_json: ResultAsJson = False,
 ) -> None:
     """Ask several judges whether properties hold: the check, a run, many runs, every failure; or recordings.
@@ -90,7 +91,8 @@ def judge_files(
         print_judgements(judge_recordings(recordings, properties or (), mission), as_json)
         return
     assert mission is not None, "there is a file"
-    options = judge_options(judges or MISSION_JUDGES, timings or ("lockstep",), check_seconds, runs, moments, jobs)
+    chosen = judges or MISSION_JUDGES, timings or ("lockstep",), check_seconds, runs, moments, jobs
+    options = judge_options(*chosen, approximate=approximate)
     prepared = open_mission(mission).prepare(RunOptions(seed, seconds, fail_rate))
     print_diagnostics(prepared.problems, prepared.sources)
     print_judgements(judge_mission(prepared, properties or (), options), as_json)

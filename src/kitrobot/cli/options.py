@@ -28,3 +28,10 @@ ListenPort = Annotated[
     int | None,
     typer.Option(min=0, max=65535, help="The port to listen on; 0 is any free one.", show_default="8765 or near"),
 ]
+IsApproximate = Annotated[
+    bool,
+    typer.Option(
+        "--approximate",
+        help="Forget states, to look at many more: it may find what breaks a property, and never says that one holds.",
+    ),
+]

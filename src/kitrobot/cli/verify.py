@@ -14,7 +14,7 @@ import typer
 
 from kitrobot.cli.judge import JudgedFiles, judge_recordings, split_files
 from kitrobot.cli.judgements import print_judgements
-from kitrobot.cli.options import ResultAsJson
+from kitrobot.cli.options import IsApproximate, ResultAsJson
 from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_message
 from kitrobot.text.sentences import Sentence
 
@@ -89,13 +89,6 @@ Cores = Annotated[
         metavar="N",
         help="Let at most so many cores explore a large mission together. Else all that there are.",
         show_default=False,
-    ),
-]
-IsApproximate = Annotated[
-    bool,
-    typer.Option(
-        "--approximate",
-        help="Forget states, to look at many more: it may find what breaks a property, and never says that one holds.",
     ),
 ]
 Seconds = Annotated[float, typer.Option(metavar="S", help="Take at most so long, together.")]

@@ -67,13 +67,15 @@ class ProgramEvidence:
 class CheckEvidence:
     """The result of checking one property under one assumption; `sentence` is the property in words.
 
-    `answer` is `holds`, `broken`, `not finished`, `vacuous`, or `none` where it could not be checked, and `sentence`
-    says why. Of a broken one `seed` and `seconds` are the run of the simulator that shows it, where there is one that
-    needs no failures, and `steps` what happens in the shortest run of the model.
+    `answer` is `holds`, `broken`, `not finished`, `vacuous`, `nothing found` by an approximate search, or `none` where
+    it could not be checked, and `sentence` says why. So many `states` were looked at. Of a broken one `seed` and
+    `seconds` are the run of the simulator that shows it, where there is one that needs no failures, and `steps` what
+    happens in the shortest run of the model.
     """
 
-    answer: Literal["holds", "broken", "not finished", "vacuous", "none"]
+    answer: Literal["holds", "broken", "not finished", "nothing found", "vacuous", "none"]
     sentence: str
     seed: int | None = None
     seconds: float | None = None
     steps: tuple[str, ...] = ()
+    states: int = 0

@@ -99,6 +99,8 @@ def _goal(kind: Callable[..., Goal], own: dict[str, Attribute]) -> Callable[[Ele
 
 def _value(element: Element, name: str, attribute: Attribute) -> str | int | float:
     kind = attribute.kind
+    if kind is YES_NO:
+        return element.flag(name)
     if kind.options:
         return element.choice(name)
     if kind.base == "integer":
@@ -167,7 +169,10 @@ KINDS = {
             "property": needed(one(*PROPERTIES)),
             "timing": optional(one(*TIMINGS), "lockstep", about="The assumption about time."),
             "failures": optional(whole(0, 1), "0", about="Up to so many failures."),
-            "states": optional(whole(1000, MOST_STATES), "100000", about="Where the search is cut."),
+            "states": optional(whole(1000, MOST_STATES), "100000", about="Where the exact search is cut."),
+            "approximate": optional(
+                YES_NO, "no", about="Whether it is enough that an approximate search behind it finds nothing."
+            ),
         },
     ),
 }

@@ -70,12 +70,15 @@ class ProgramGoal(Goal):
 
 @dataclass(frozen=True)
 class CheckGoal(Goal):
-    """`<holds>`: a property of `kitrobot verify` holds. `states` bounds the search; a cut search does not count."""
+    """`<holds>`: a property of `kitrobot verify` holds. `states` bounds the exact search, behind which an approximate
+    one finds what is broken; that it finds nothing counts if the goal is `approximate`.
+    """
 
     property: str
     timing: str
     failures: int
     states: int
+    approximate: bool
 
     def fault(self, seen: CheckEvidence) -> Fault | None:
         """What is wrong with what came of the check."""
@@ -87,6 +90,16 @@ class CheckGoal(Goal):
             case "not finished":
                 return Fault(
                     Sentence("{property}: not known, there are more than {states} states", seen.sentence, self.states)
+                )
+            case "nothing found":
+                if self.approximate:
+                    return None
+                return Fault(
+                    Sentence(
+                        "{property}: not proved; nothing was found in {states} states, and some may have been missed",
+                        seen.sentence,
+                        f"{seen.states:,}",
+                    )
                 )
             case "none":
                 return Fault(Sentence("this could not be checked: {reason}", seen.sentence))

@@ -52,6 +52,7 @@ class JudgeLimits(TypedDict, total=False):
     moments: int
     check_seconds: float
     timings: Sequence[str]
+    approximate: bool
     jobs: int | None
 
 

@@ -39,6 +39,7 @@ class JudgeOptions:
         timings: the assumptions of the check.
         check_seconds: at most so long for the check of one property.
         states: at most so many states in the check; None for as many as there is time and memory for.
+        approximate: whether the check forgets states to look at more; then nothing that it does not find is kept.
         runs: of many runs, how many.
         failures: at how many moments robots fail, and in how many processes; also of many runs.
         stop: asked now and then whether to break off.
@@ -48,13 +49,21 @@ class JudgeOptions:
     timings: tuple[Timing, ...] = (Timing.LOCKSTEP,)
     check_seconds: float = 60.0
     states: int | None = None
+    approximate: bool = False
     runs: int = USUAL_RUNS
     failures: FailureOptions = field(default_factory=FailureOptions)
     stop: Callable[[], bool] = lambda: False
 
 
 def judge_options(
-    judges: Sequence[str], timings: Sequence[str], check_seconds: float, runs: int, moments: int, jobs: int | None
+    judges: Sequence[str],
+    timings: Sequence[str],
+    check_seconds: float,
+    runs: int,
+    moments: int,
+    jobs: int | None,
+    *,
+    approximate: bool = False,
 ) -> JudgeOptions:
     """The options by the names of judges and timings, each known.
 
@@ -75,6 +84,7 @@ def judge_options(
         tuple(one for one in MISSION_JUDGES if one.value in judges),
         tuple(one for one in Timing if one.value in timings),
         check_seconds,
+        approximate=approximate,
         runs=runs,
         failures=FailureOptions(moments, jobs),
     )
@@ -177,6 +187,7 @@ class _CheckCache:
                 confirms=not is_tried,
                 stop=options.stop,
                 explains=not is_tried,
+                approximate=options.approximate,
                 asked=tuple(replace(one.asked, name=one.text) for one in questions if one.asked is not None),
             ),
         )
@@ -230,6 +241,11 @@ def _of_check(made: Judgement, found: Verification, name: str) -> Judgement:
     if broken is not None:
         reason = Sentence("an order of events of the model breaks it; no run that was tried shows it")
         return replace(made, ruling=JudgeAnswer.BROKEN, reason=reason)
+    if Answer.NOTHING_FOUND in answers:
+        reason = Sentence("nothing found in {states} states by an approximate search, which is no proof", f"{states:,}")
+        return replace(made, reason=reason)
+    if Answer.NOT_DECIDED in answers:
+        return replace(made, reason=Sentence("an approximate check cannot decide it; ask for an exact one, or runs"))
     if Answer.NOT_FINISHED in answers or not answers:
         return replace(made, reason=Sentence("nothing found in {states} states, and there are more", f"{states:,}"))
     if answers == {Answer.VACUOUS}:

@@ -73,7 +73,7 @@ class RecordMonitor:
         self._team = self._mission.mission.team if header.plan is not None else None
         self._columns = {column.name: at for at, column in enumerate(header.columns) if column.owner == TEAM}
         self._record = TickRecord(0, [], [])
-        self._gaps, self._expected = 0, 1
+        self._gaps, self._expected = 0, 0
         self._cases = self._cases_of(questions, ready)
         self._unbroken = list(self._cases)
         self._ready_cases = [one for one in self._cases if isinstance(one, ReadyCase)]
@@ -104,8 +104,7 @@ class RecordMonitor:
             outcome: how the run ended with this tick; None where it goes on.
         """
         self.read_events(record.events)
-        if record.tick > 0:
-            self.read_values(record)
+        self.read_values(record)
         self.end(record.tick, outcome)
         broken: list[Judgement] = []
         for case in tuple(self._unbroken):
@@ -123,17 +122,22 @@ class RecordMonitor:
             case.read(events)
 
     def read_values(self, record: TickRecord) -> None:
-        """Takes in the values of a tick from 1 on; ticks ascend."""
+        """Takes in the values of a tick; ticks ascend, and the first one is 0, from before the first step."""
         tick = record.tick
         expected, self._expected = self._expected, tick + 1
         self._gaps += tick - expected
         self._record = record
         for i in {i for case in self._open for i in case.agents}:
             self._agents[i].update(record)
+        if tick == 0:
+            self._decided.keep_beginning()
+            return
         for case in self._open:
             limit = tick if case.within_s is None else self._span.limit(case.within_s)
             if expected <= limit:
                 case.gap = self._gaps
+            if tick == 1 and expected == 1:
+                case.automaton.read(0, [self._decided.held_at_beginning(one) for one in case.conditions])
             if tick <= limit:
                 case.automaton.read(tick, [self._decided.holds(one) for one in case.conditions])
         self._open = [case for case in self._open if case.is_open]

@@ -41,7 +41,7 @@ def judge_recording(
         judge, name = Judge.RECORDING, reader.path.name
         monitor = RecordMonitor(reader.header, opened, questions, judge, name, mission=mission, ready=ready)
         monitor.read_events([event for _, event in reader.events])
-        for record in reader.walk(1) if monitor.is_open else ():
+        for record in reader.walk(0) if monitor.is_open else ():
             monitor.read_values(record)
             if not monitor.is_open:
                 break

@@ -58,7 +58,7 @@ class RunWatch:
                 one.broken_at = found
                 events.append(self._event(one))
             elif one.monitoring.is_kept:
-                one.kept_at = self._run.tick
+                one.kept_at = one.monitoring.decided_at
             elif self._run.outcome is not None:
                 events += self._at_end(one, self._run.outcome)
             elif one.within_s is not None and self._run.seconds >= one.within_s:

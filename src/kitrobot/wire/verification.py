@@ -51,7 +51,7 @@ class VerifyStopRequest(BaseModel):
 
 
 class VerifyProgressMessage(WorkMessage):
-    """How far the check is under one assumption: see `kitrobot.checking.background_check.Explored`."""
+    """How far the check is under one assumption: see `kitrobot.checking.background_check.ExplorationProgress`."""
 
     type: Literal["progress"] = "progress"
     timing: Timing
@@ -120,7 +120,7 @@ class WhyShape(View):
 
 
 class CheckedPropertyShape(View):
-    """One answer: see `kitrobot.checking.background_check.Answered`."""
+    """One answer: see `kitrobot.checking.background_check.PropertyAnswer`."""
 
     name: str
     sentence: Clause

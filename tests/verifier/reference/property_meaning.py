@@ -1,6 +1,7 @@
 """What properties mean, written down plainly: for all ticks, there is a tick. No state, no automaton.
 
-A trace is a list of ticks, each with what holds in it; its first tick is tick 1. A run that ends stays as it is.
+A trace is a list of ticks, each with what holds in it; its first tick is tick 0, the beginning. A run that ends stays
+as it is.
 """
 
 from __future__ import annotations
@@ -14,13 +15,13 @@ Trace = Sequence[tuple[bool, ...]]
 
 def is_broken_so_far(one: AskedProperty, trace: Trace, tick_ms: int) -> bool:
     """Whether these ticks break it, whatever comes."""
-    ticks = range(1, len(trace) + 1)
+    ticks = range(len(trace))
 
     def now(t: int, which: int = 0) -> bool:
-        return trace[t - 1][which]
+        return trace[t][which]
 
     def comes(t: int, which: int = 0) -> bool:
-        return now(t, which) and (t == 1 or not now(t - 1, which))
+        return now(t, which) and (t == 0 or not now(t - 1, which))
 
     def seconds_between(first: int, second: int) -> float:
         return (second - first) * tick_ms / 1000
@@ -64,7 +65,7 @@ def is_broken_so_far(one: AskedProperty, trace: Trace, tick_ms: int) -> bool:
             return any(
                 is_late(t, u) and not any(now(v, which) for v in ticks if t < v <= u - 1)
                 for which in range(size)
-                for t in (0, *ticks)
+                for t in ticks
                 for u in ticks
                 if u > t and (t == 0 or now(t, which))
             )

@@ -296,7 +296,7 @@ export type Check = { mission: Mission; path: string };
 /** One event of a run that breaks a property, and the step it is in. */
 export type CheckedEvent = { step: number; text: string };
 
-/** One answer: see `kitrobot.checking.background_check.Answered`. */
+/** One answer: see `kitrobot.checking.background_check.PropertyAnswer`. */
 export interface CheckedProperty {
   name: string;
   sentence: string;
@@ -1732,7 +1732,7 @@ export interface VerifyColumnMessage {
 /** The check is over; what is taken for granted in its answers. */
 export type VerifyEndMessage = { type: "end"; limits: string[] };
 
-/** How far the check is under one assumption: see `kitrobot.checking.background_check.Explored`. */
+/** How far the check is under one assumption: see `kitrobot.checking.background_check.ExplorationProgress`. */
 export interface VerifyProgressMessage {
   type: "progress";
   timing: Timing;

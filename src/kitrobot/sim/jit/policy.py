@@ -67,6 +67,7 @@ class JitPolicy:
     def __init__(self, robots: int) -> None:
         self._robots = max(1, robots)
         self._work = 0
+        self._asks_at = 0
         self._advance: Advance | None = None
         self.most = max(1, AT_ONCE // self._robots)
 
@@ -78,7 +79,10 @@ class JitPolicy:
     def compiled(self) -> Advance | None:
         """The compiled step, if it is worth it and there; None: go on plain."""
         if self._advance is None and (done.steps >= WORTH or (self._robots >= CROWD and self._work >= CROWD_WORTH)):
-            step.ask()
+            # To ask looks at files: not before each step of a run that is watched step by step.
+            if self._work >= self._asks_at:
+                self._asks_at = self._work + AT_ONCE
+                step.ask()
             self._advance = step.made
         return self._advance
 

@@ -2,7 +2,7 @@
 
 A condition holds in a state if it holds for the values that the agents would read and store there. The same values come
 up in many states, so each answer of the interpreter is cached. In a run of the simulator the values are those of the
-agents' last tick.
+agents' last tick, or of its beginning (`run_conditions`).
 """
 
 from __future__ import annotations
@@ -255,13 +255,20 @@ class _ConditionMonitor:
         self._conditions = conditions
         self._run = run
         self._decided = simulated_conditions(conditions, run)
+        self._decided.keep_beginning()
         self._automaton = PropertyAutomaton(one, run.tick_ms)
 
     @property
     def is_kept(self) -> bool:
         return self._automaton.standing is PropertyState.KEPT
 
+    @property
+    def is_decided_at_beginning(self) -> bool:
+        return self._automaton.decided_at == 0
+
     def after_step(self) -> bool:
+        if self._run.tick == 1:
+            self._automaton.read(0, [self._decided.held_at_beginning(condition) for condition in self._conditions])
         truths = [self._decided.holds(condition) for condition in self._conditions]
         return self._automaton.read(self._run.tick, truths) is PropertyState.BROKEN
 

@@ -4,7 +4,8 @@ An automaton is told at each tick which of the conditions hold (`AskedProperty.c
 each tick whether the property is broken, kept whatever comes, or open, and since when something is waited for. It is
 plain numbers, so it can be copied and sent.
 
-A condition *comes* in a tick in which it holds and did not hold in the tick before; in the first tick if it holds then.
+Tick 0 is the beginning: what is stored before the first tick, and what is read first (`run_conditions`).
+A condition *comes* in a tick in which it holds and did not hold in the tick before; in tick 0 if it holds then.
 Seconds are counted in ticks: of a deadline the last tick that is not late, of a duration the first one that is enough.
 A run that ends stays as it is: what holds in its last tick holds on, and what is waited for then never comes.
 """
@@ -66,7 +67,7 @@ class PropertyAutomaton:
         return math.floor(seconds * 1000 / self.tick_ms + _ROUNDING) if seconds else None
 
     def read(self, tick: int, truths: Sequence[bool]) -> PropertyState:
-        """Takes in one tick; ticks ascend, and the first one is 1.
+        """Takes in one tick; ticks ascend, and the first one is 0.
 
         Args:
             tick: its number.

@@ -27,6 +27,10 @@ class RunMonitor(Protocol):
     def is_kept(self) -> bool:
         """Whether nothing that may come breaks it."""
 
+    @property
+    def is_decided_at_beginning(self) -> bool:
+        """Whether it was decided before the first step, by what was true then."""
+
     def after_step(self) -> bool:
         """Whether the step that was just made broke it."""
 
@@ -44,6 +48,7 @@ class _InvariantMonitor:
     """Reports a violation when a condition holds once; `own` are the lists in which the condition remembers."""
 
     is_kept = False
+    is_decided_at_beginning = False
 
     def __init__(self, test: Callable[[], bool], *own: list[Any]) -> None:
         self._test = test
@@ -69,6 +74,7 @@ class _WaitMonitor:
     """
 
     is_kept = False
+    is_decided_at_beginning = False
 
     def __init__(self, run: Simulation, test: Callable[[], bool], outcomes: Sequence[str] = ENDED) -> None:
         self._run = run

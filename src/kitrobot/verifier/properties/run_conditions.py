@@ -1,10 +1,15 @@
-"""Conditions over several agents in a run, simulated or recorded, on what the agents read in their last tick."""
+"""Conditions over several agents in a run, simulated or recorded, on what the agents read in their last tick.
+
+The *beginning* of a run, tick 0, is a state too: variables, roles and groups as they are before the first tick, and
+what the sensors read first, which is known once the first tick is over. It is the first state of a check.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from kitrobot.image.machine import Layout
 from kitrobot.mission.model import Team
 from kitrobot.primitives.robot import Robot
 from kitrobot.sim.breakpoints import Condition as Test
@@ -65,22 +70,41 @@ class RunConditions:
     ) -> None:
         self._cells = cells
         self._members = members
+        self._robots = robots
+        self._conditions = tuple(conditions)
+        self._first_cells: dict[int, tuple[int, ...]] = {}
+        self._first_members: dict[str, tuple[int, ...]] = {}
         self._tests = {
             (agent, test): Test(test, robots[agent])
-            for one in conditions
+            for one in self._conditions
             for test, agents in one.tests.items()
             for agent in agents
         }
         self._known: dict[tuple[int, str, tuple[int, ...]], bool] = {}
 
+    def keep_beginning(self) -> None:
+        """Keeps what is stored before the first tick, for `held_at_beginning`."""
+        self._first_cells = {agent: self._cells(agent) for agent, _ in self._tests}
+        self._first_members = {name: tuple(self._members(name)) for one in self._conditions for name in one.sets}
+
+    def held_at_beginning(self, condition: AgentCondition) -> bool:
+        """Whether one of them held at the beginning, which was kept; the run is in its first tick now."""
+        return condition.holds(
+            lambda agent, test: self._is_true(agent, test, self._beginning_of), self._first_members.__getitem__
+        )
+
+    def _beginning_of(self, agent: int) -> tuple[int, ...]:
+        read, first = 1 + Layout(self._robots[agent]).inputs, self._first_cells[agent]
+        return (*first[:1], *self._cells(agent)[1:read], *first[read:])
+
     def holds(self, condition: AgentCondition) -> bool:
         """Whether one of them holds."""
-        return condition.holds(self._truth, self._members)
+        return condition.holds(lambda agent, test: self._is_true(agent, test, self._cells), self._members)
 
-    def _truth(self, agent: int, test: str) -> bool:
+    def _is_true(self, agent: int, test: str, cells_of: Callable[[int], tuple[int, ...]]) -> bool:
         if (agent, test) not in self._tests:
             return False
-        cells = self._cells(agent)
+        cells = cells_of(agent)
         key = agent, test, cells
         known = self._known.get(key)
         if known is None:

@@ -148,11 +148,16 @@ class RunObserver:
         """Whether nothing that may come breaks it."""
         return self._monitor is not None and self._monitor.is_kept
 
+    @property
+    def decided_at(self) -> int:
+        """The step in which that, or a violation, was decided: the last one, or 0 for the beginning of the run."""
+        return 0 if self._monitor is not None and self._monitor.is_decided_at_beginning else self._run.tick
+
     def violation(self) -> int:
         """The step in which the last steps broke it; -1 if they did not."""
         if self._monitor is None:
             return _seen(self._property, self._run)
-        return self._run.tick if self._monitor.after_step() else -1
+        return self.decided_at if self._monitor.after_step() else -1
 
     def is_broken_by_end(self, outcome: str) -> bool:
         """Whether the run broke it if it ends here with this outcome."""
@@ -201,7 +206,7 @@ def judge_run(
         if found >= 0:
             return RunJudgement(True, found)
         if monitoring.is_kept:
-            return RunJudgement(False, run.tick)
+            return RunJudgement(False, monitoring.decided_at)
     assert run.outcome is not None, "the run has ended"
     return RunJudgement(monitoring.is_broken_by_end(run.outcome), run.tick)
 

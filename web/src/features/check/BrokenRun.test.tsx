@@ -136,16 +136,25 @@ test("a moment that the simulator does not tell has no button", async () => {
   expect(all("check-play-moment")).toHaveLength(0);
 });
 
-test("the other way opens as steps of the model, from the deciding step on, and closes again", async () => {
-  await shown(BROKEN);
-  expect(all("check-steps")).toHaveLength(0);
+test("both ways are played side by side, in step, from the moment that decided on, and close again", async () => {
+  vi.useFakeTimers();
+  const other = { ...WHY.other!, scenes: [scene(1), scene(2), scene(4)] };
+  await shown({ ...BROKEN, why: { ...WHY, other } });
+  const at = () => ["check-both", "check-way-broken", "check-way-kept"].map((name) => all(name)[0]?.dataset["step"]);
+  expect(all("check-both")).toHaveLength(0);
   press("check-other");
-  expect(all("check-steps")[0]?.dataset["step"]).toBe("1");
-  press("check-step-on");
-  expect(all("check-steps")[0]?.dataset["step"]).toBe("2");
-  expect(text("check-steps")).toContain("b comes.");
+  expect(at()).toEqual(["1", "1", "1"]);
+  expect(text("check-way-kept")).toContain("All goes well");
+  press("check-steps-play");
+  act(() => void vi.advanceTimersByTime(700));
+  expect(at()).toEqual(["2", "2", "2"]);
+  expect(text("check-way-broken")).toContain("a stands.");
+  expect(text("check-way-kept")).toContain("b comes.");
+  act(() => void vi.advanceTimersByTime(700));
+  expect(at()).toEqual(["4", "2", "4"]);
   press("check-other");
-  expect(all("check-steps")).toHaveLength(0);
+  expect(all("check-both")).toHaveLength(0);
+  vi.useRealTimers();
 });
 
 test("a run that only the model has seen goes to the deciding step", async () => {

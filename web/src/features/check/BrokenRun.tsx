@@ -16,10 +16,11 @@ import { useView } from "../../session/view";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
+import { BothWays } from "./BothWays";
 import { USUAL } from "./kinds";
 import { beginWalk } from "./state-walk";
 import { StepArena } from "./StepArena";
-import { type Cell, counterexampleMarks, otherRun, stretches } from "./table";
+import { type Cell, counterexampleMarks, stretches } from "./table";
 import { assumptionWords } from "./Verdict";
 import { answerAt, openAnswer, play, useCheck } from "./check-session";
 import { WhyBroken } from "./WhyBroken";
@@ -71,10 +72,10 @@ export function BrokenRun({ cell }: { cell: Cell }) {
       {other !== null ? (
         <>
           <p className="muted small-text">{t(other.ends_well ? "check.other-well" : "check.other-only")}</p>
-          <StepArena key="other" run={otherRun(other)} mission={mission} />
+          <BothWays broken={answer} other={other} decided={answer.why?.step ?? 0} mission={mission} />
         </>
       ) : answer.confirmed === null ? (
-        <StepArena key="broken" run={answer} mission={mission} decided={answer.why?.step ?? -1} />
+        <StepArena run={answer} mission={mission} decided={answer.why?.step ?? -1} />
       ) : null}
       {answer.places.length === 0 ? null : (
         <p className="check-play row lesson-head">

@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 
 import type { CheckedProperty, ConfirmingRun } from "../../api/generated";
 import { withFailures } from "../../session/confirming-run";
-import { counterexampleMarks, plan, sceneAfter, shapeOf, stretches } from "./table";
+import { counterexampleMarks, momentsFrom, plan, sceneAfter, sceneAt, shapeOf, stretches } from "./table";
 
 const BROKEN: CheckedProperty = {
   name: "contact",
@@ -99,4 +99,16 @@ test("guilty vertices have their robots and one sentence a program, and vertices
     ["v3", "", "", "2"],
   ]);
   expect(counterexampleMarks(BROKEN, ["a"])).toEqual([]);
+});
+
+test("runs in step show what they have: a repeating one goes round, another stays at its end", () => {
+  const scenes = [0, 1, 2, 5].map((step) => ({ step, robots: [] }));
+  const run = { ...BROKEN, scenes, steps: 5 };
+  expect(momentsFrom([run, { ...run, scenes: [3, 5, 7].map((step) => ({ step, robots: [] })) }], 2)).toEqual([
+    2, 3, 5, 7,
+  ]);
+  expect([2, 4, 5, 9].map((step) => sceneAt(run, step)?.step)).toEqual([2, 2, 5, 5]);
+  const round = { ...run, scenes: scenes.slice(0, 3), steps: 2, repeats_from: 0 };
+  expect([1, 2, 3, 4, 5].map((step) => sceneAt(round, step)?.step)).toEqual([1, 2, 1, 2, 1]);
+  expect(sceneAt({ ...run, scenes: [] }, 1)).toBeNull();
 });

@@ -1,5 +1,5 @@
 /** The table of a check: a row for each property, a column for each assumption. */
-import type { CheckedEvent, CheckedProperty, OtherWay, VerifyColumnMessage } from "../../api/generated";
+import type { CheckedEvent, CheckedProperty, OtherWay, Scene, VerifyColumnMessage } from "../../api/generated";
 import type { CounterexampleMark } from "../../session/counterexample";
 import type { Cell } from "../../ui/grid";
 
@@ -83,6 +83,20 @@ export function sceneAfter({ scenes, repeats_from }: ModelRun, at: number): numb
   if (at + 1 < scenes.length) return at + 1;
   const again = scenes.findIndex(({ step }) => step === repeats_from + 1);
   return repeats_from < 0 || again < 0 || again > at ? null : again;
+}
+
+/** The steps of runs from one on of which one of them has a scene, in their order. */
+export function momentsFrom(runs: readonly ModelRun[], from: number): number[] {
+  const steps = runs.flatMap(({ scenes }) => scenes.map(({ step }) => step)).filter((step) => step >= from);
+  return [...new Set(steps)].sort((one, other) => one - other);
+}
+
+/** Where a run stands after so many steps; behind its end it repeats, or stays as it is. Null without scenes. */
+export function sceneAt({ scenes, repeats_from: from }: ModelRun, step: number): Scene | null {
+  const last = scenes.at(-1)?.step ?? 0;
+  const round = from >= 0 && last > from ? last - from : 0;
+  const there = step <= last || round === 0 ? step : from + 1 + ((step - from - 1) % round);
+  return scenes.findLast((scene) => scene.step <= there) ?? null;
 }
 
 /** The last steps of a run before its end that are told on the graph. */
