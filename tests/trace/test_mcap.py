@@ -208,7 +208,7 @@ def test_a_file_of_several_chunks_is_read_by_its_indexes() -> None:
     assert summary.statistics.channel_message_counts == dict.fromkeys(channels, 50)
     assert (summary.statistics.message_start_time, summary.statistics.message_end_time) == (0, 99_000)
     assert [one.data for _, _, one in reader.iter_messages()] == data
-    later = [one.data for _, _, one in reader.iter_messages(topics=["/b"], start_time=60_000, end_time=90_000)]
+    later = [one.data for _, _, one in reader.iter_messages(topics=["/b"], starting_at=60_000, ending_before=90_000)]
     assert later == data[61:90:2]
     assert [one.data for one in reader.iter_attachments()] == [b"hello"]
 
