@@ -2,8 +2,9 @@
 
 A first visit is one of a browser that has nothing of it; a second visit is another page of the same browser, whose
 service worker has the files. Both wait for the graph of the transport mission, then run it once at full speed. Memory
-is what the largest process of the browser keeps after that run: page, worker and a third of it the browser's own program. There is no peer, but for a
-key in the code, which is measured beside the installed studio on the same mission.
+is what the largest process of the browser keeps after that run: page and worker are in it, and a third of it is the
+browser's own program. There is no peer, but for a key in the code, which is measured beside the installed studio on
+the same mission.
 """
 
 from __future__ import annotations
