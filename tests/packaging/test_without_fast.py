@@ -76,4 +76,4 @@ def test_numba_and_numpy_are_the_extra_fast_and_make_installs_it() -> None:
     assert names(project["optional-dependencies"]["fast"]) == {"numba", "numpy"}
     assert not names(project["dependencies"]) & {"numba", "numpy"}
     for file in ("Makefile", "tools/lock.sh"):
-        assert "'.[cluster,data,dev,docs,fast,fleet,plot,ros]'" in (ROOT / file).read_text(encoding="utf-8")
+        assert "'.[cluster,data,dev,docs,fast,fleet,https,plot,ros]'" in (ROOT / file).read_text(encoding="utf-8")
