@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import struct
 import zlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from io import BytesIO
 from typing import Final
+
+from kitrobot.trace.ros.cdr import ENCAPSULATION
 
 MAGIC: Final = b"\x89MCAP0\r\n"
 CHUNK_BYTES: Final = 1 << 20
@@ -21,6 +23,9 @@ _ATTACHMENT, _ATTACHMENT_INDEX, _STATISTICS, _METADATA, _METADATA_INDEX, _SUMMAR
 
 _MESSAGE_HEAD: Final = struct.Struct("<BQHIQQ")
 """Opcode, length, channel, number in the sequence (0: not known), time of the log and of the message."""
+_NUMBER: Final = struct.Struct(f"{_MESSAGE_HEAD.format}4sd")
+"""A message that is one float64, whole."""
+_NUMBER_FIELDS: Final = _NUMBER.size - 9
 _MESSAGE_FIELDS: Final = _MESSAGE_HEAD.size - 9
 
 
@@ -104,6 +109,23 @@ class McapWriter:
         self._parts += (_MESSAGE_HEAD.pack(_MESSAGE, length, channel, 0, nanoseconds, nanoseconds), data)
         self._index[channel - 1] += (nanoseconds, size)
         self._size = size + length + 9
+        if self._first < 0:
+            self._first = nanoseconds
+        self._last = nanoseconds
+
+    def add_numbers(self, nanoseconds: int, numbers: Iterable[tuple[int, float]]) -> None:
+        """Adds messages that are a number in CDR, each with its channel: most of a recording are."""
+        if self._size >= CHUNK_BYTES:
+            self._end_chunk()
+        # Names of its own: this is most of the time that a recording takes.
+        pack, append, index, size = _NUMBER.pack, self._parts.append, self._index, self._size
+        for channel, number in numbers:
+            append(pack(_MESSAGE, _NUMBER_FIELDS, channel, 0, nanoseconds, nanoseconds, ENCAPSULATION, number))
+            entries = index[channel - 1]
+            entries.append(nanoseconds)
+            entries.append(size)
+            size += _NUMBER.size
+        self._size = size
         if self._first < 0:
             self._first = nanoseconds
         self._last = nanoseconds
