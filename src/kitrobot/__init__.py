@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from kitrobot.sim.agent_views import AgentView
     from kitrobot.sim.event_text import Event
     from kitrobot.sim.simulation import Simulation
+    from kitrobot.workspace.behaviour_trees import read_behaviour_tree, save_behaviour_tree
     from kitrobot.workspace.execution import ExecutionTick, execute
     from kitrobot.workspace.inputs import Change, Inputs
     from kitrobot.workspace.mission_loader import OpenMission
@@ -111,6 +112,10 @@ else:
         "sim.agent_views": ("AgentView",),
         "sim.event_text": ("Event",),
         "sim.simulation": ("Simulation",),
+        "workspace.behaviour_trees": (
+            "read_behaviour_tree",
+            "save_behaviour_tree",
+        ),
         "workspace.execution": (
             "ExecutionTick",
             "execute",
@@ -209,8 +214,10 @@ __all__ = [
     "parse",
     "probability",
     "rare_probability",
+    "read_behaviour_tree",
     "read_program",
     "robot",
+    "save_behaviour_tree",
     "save_mission",
     "sweep",
     "walk",

@@ -32,7 +32,14 @@ def _open_class(options: ClassOptions) -> None:
 
     serve_class(
         ClassSettings(
-            options.folder, options.host, options.port, options.tls, options.browser, options.new_code, options.site
+            options.folder,
+            options.host,
+            options.port,
+            options.tls,
+            options.https,
+            options.browser,
+            options.new_code,
+            options.site,
         )
     )
 

@@ -57,7 +57,7 @@ def test_every_command_works_without_numpy_numba_and_orjson(told: list[tuple[str
 
 
 def test_what_needs_a_package_says_how_to_install_it(told: list[tuple[str, int, str, str]]) -> None:
-    for wanted, package, extra in (("team", "eclipse-zenoh", "fleet"), ("convert", "mcap", "ros")):
+    for wanted, package, extra in (("team", "eclipse-zenoh", "fleet"), ("convert", "zstandard", "ros")):
         (said,) = [said for command, status, _, said in told if command == wanted and status == 1]
         assert f"`{package}`" in said
         assert f"pip install kitrobot[{extra}]" in said
@@ -76,4 +76,4 @@ def test_numba_and_numpy_are_the_extra_fast_and_make_installs_it() -> None:
     assert names(project["optional-dependencies"]["fast"]) == {"numba", "numpy"}
     assert not names(project["dependencies"]) & {"numba", "numpy"}
     for file in ("Makefile", "tools/lock.sh"):
-        assert "'.[cluster,data,dev,docs,fast,fleet,plot,ros]'" in (ROOT / file).read_text(encoding="utf-8")
+        assert "'.[cluster,data,dev,docs,fast,fleet,https,plot,ros]'" in (ROOT / file).read_text(encoding="utf-8")

@@ -9,7 +9,7 @@ import json
 import sys
 from pathlib import Path
 
-ABSENT = ("numpy", "numba", "llvmlite", "orjson", "zenoh", "uvloop", "mcap")
+ABSENT = ("numpy", "numba", "llvmlite", "orjson", "zenoh", "uvloop", "zstandard")
 HEART = "examples/heart/heart.krt"
 TRANSPORT = "examples/transport/transport.krt"
 

@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 from mcap.reader import make_reader
 from rosbags.highlevel import AnyReader
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
+from zstandard import ZstdCompressor
 
 from kitrobot.primitives.image_name import ImageName
 from kitrobot.trace.model import (
@@ -30,6 +31,7 @@ from kitrobot.trace.model import (
 from kitrobot.trace.reader import TraceReader
 from kitrobot.trace.ros.cdr import CdrLayout, encode_text, encode_texts
 from kitrobot.trace.ros.mcap_export import mcap_bytes
+from kitrobot.trace.ros.mcap_writer import McapWriter
 from kitrobot.trace.ros.topics import distinct_parts, topic_part
 from kitrobot.trace.writer import TraceWriter
 
@@ -177,7 +179,7 @@ def test_cdr_is_what_rosbags_writes(whole: list[int], texts: list[str]) -> None:
 def test_a_layout_wants_its_numbers() -> None:
     layout = CdrLayout().numbers("Bd")
     assert layout.encode((1, 2.0)) == b"\0\1\0\0\1" + bytes(7) + struct.pack("<d", 2.0)
-    with pytest.raises(ValueError, match="argument"):
+    with pytest.raises(ValueError, match="for another layout"):
         layout.encode((1,))
     with pytest.raises(struct.error):
         layout.encode((300, 2.0))
@@ -188,3 +190,33 @@ def test_other_readers_find_the_index(bag: Path) -> None:
     assert summary is not None
     assert summary.statistics is not None
     assert summary.statistics.attachment_count == 2
+
+
+def test_a_file_of_several_chunks_is_read_by_its_indexes() -> None:
+    writer = McapWriter("ros2", "kitrobot", ZstdCompressor(level=1).compress)
+    schema = writer.add_schema("std_msgs/msg/String", "ros2msg", "string data\n")
+    channels = [writer.add_channel(topic, "cdr", schema) for topic in ("/a", "/b")]
+    data = [encode_text(f"{tick} " + "x" * 50_000) for tick in range(100)]
+    for tick, one in enumerate(data):
+        writer.add_message(channels[tick % 2], tick * 1000, one)
+    writer.add_attachment("a.txt", "text/plain", b"hello")
+    reader = make_reader(BytesIO(writer.finish()), validate_crcs=True)
+    summary = reader.get_summary()
+    assert summary is not None
+    assert summary.statistics is not None
+    assert summary.statistics.chunk_count == len(summary.chunk_indexes) == 5
+    assert summary.statistics.channel_message_counts == dict.fromkeys(channels, 50)
+    assert (summary.statistics.message_start_time, summary.statistics.message_end_time) == (0, 99_000)
+    assert [one.data for _, _, one in reader.iter_messages()] == data
+    later = [one.data for _, _, one in reader.iter_messages(topics=["/b"], starting_at=60_000, ending_before=90_000)]
+    assert later == data[61:90:2]
+    assert [one.data for one in reader.iter_attachments()] == [b"hello"]
+
+
+def test_a_file_without_messages_is_whole() -> None:
+    reader = make_reader(
+        BytesIO(McapWriter("ros2", "kitrobot", ZstdCompressor().compress).finish()), validate_crcs=True
+    )
+    summary = reader.get_summary()
+    assert summary is not None
+    assert list(reader.iter_messages()) == []

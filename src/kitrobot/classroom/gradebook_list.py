@@ -1,7 +1,8 @@
 """The list of pupils that a gradebook exports as CSV, and which of its lines is which pupil of the class.
 
-The teacher puts it into the class's folder as `gradebook.csv`, as Moodle, Canvas or Google Classroom wrote it. Columns
-are found by their names, in English, French or Urdu; commas, semicolons and tabs part them. Nothing else of it is used.
+It is `gradebook.csv` in the class's folder, as Moodle, Canvas or Google Classroom wrote it: the teacher's page keeps it
+there, or the teacher puts it there by hand. Columns are found by their names, in English, French or Urdu; commas,
+semicolons and tabs part them. Nothing else of it is used.
 """
 
 from __future__ import annotations
@@ -9,13 +10,14 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
 from kitrobot.classroom.names import key_of
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.files.disk import read_bytes
+from kitrobot.files.disk import read_bytes, write_atomic
 from kitrobot.text.sentences import Sentence
 
 NAME: Final = "gradebook.csv"
@@ -33,6 +35,8 @@ _COLUMNS: Final = {
     "section": ("section",),
 }
 """What a column holds, by the names that it has in gradebooks."""
+_ZIP: Final = b"PK\x03\x04"
+"""How an .xlsx and an .ods file begin."""
 _NO_PUPIL: Final = ("points possible", "student, test")
 
 
@@ -76,6 +80,30 @@ def read_gradebook_list(folder: Path) -> list[ListedPupil]:
     """
     path = folder / NAME
     return parse_gradebook_list(read_bytes(path)) if path.exists() else []
+
+
+def keep_gradebook_list(folder: Path, data: bytes) -> list[ListedPupil]:
+    """Puts a list into the class's folder, in place of the one that was there; one that is none changes nothing.
+
+    Raises:
+        GradebookListError: it is no list of pupils, or has none.
+        FileError: it cannot be written.
+    """
+    help = Sentence("choose the CSV file that your gradebook exports")
+    if data.startswith(_ZIP):
+        raise GradebookListError(Sentence("this file is a spreadsheet, and the list is a CSV file"), help)
+    try:
+        listed = parse_gradebook_list(data)
+    except GradebookListError as error:
+        raise GradebookListError(error.message, help) from None
+    if not listed:
+        raise GradebookListError(Sentence("this list has no pupils, only the names of its columns"), help)
+    path = folder / NAME
+    write_atomic(path, data)
+    with suppress(OSError):
+        # It names pupils, perhaps with their e-mail.
+        path.chmod(0o600)
+    return listed
 
 
 def parse_gradebook_list(data: bytes) -> list[ListedPupil]:

@@ -340,6 +340,13 @@ class TeacherMarksShape(BaseModel):
     unlisted: list[str]
 
 
+class TeacherGradebookShape(BaseModel):
+    """The list of a gradebook as it was kept: how many pupils it has, and which of the class it lacks."""
+
+    pupils: int
+    unlisted: list[str]
+
+
 class TeacherLogShape(BaseModel):
     """The last lines of the log, the newest first."""
 

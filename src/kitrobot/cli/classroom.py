@@ -17,14 +17,15 @@ from kitrobot.text.sentences import Sentence
 
 @dataclass(frozen=True)
 class ClassOptions:
-    """The options of `kitrobot class`; `tls` is a certificate and its key, None for plain HTTP; `site` the
-    folder of a static site, None for that in the folder of the class.
+    """The options of `kitrobot class`; `tls` is a certificate and its key, `https` asks for one of its own, and with
+    neither it is plain HTTP; `site` is the folder of a static site, None for that in the folder of the class.
     """
 
     folder: Path
     host: str
     port: int | None
     tls: tuple[Path, Path] | None
+    https: bool
     browser: bool
     new_code: bool
     site: Path | None
@@ -45,6 +46,9 @@ def open_class(
         str, typer.Option(help="The address of this machine to listen on; pupils at other machines need it.")
     ] = "127.0.0.1",
     port: ListenPort = None,
+    https: Annotated[
+        bool, typer.Option("--https", help="Encrypt, with a certificate that KitRobot makes; browsers warn once.")
+    ] = False,
     tls: Annotated[
         tuple[Path, Path] | None,
         typer.Option(metavar="CERT KEY", help="Encrypt, with this certificate and its key (PEM).", show_default=False),
@@ -78,12 +82,17 @@ def open_class(
     if marks is not None:
         _write_marks(folder, marks)
         return
+    if https and tls is not None:
+        raise StudioError(
+            Sentence("`{one}` and `{other}` name two certificates", "--https", "--tls"),
+            Sentence("leave out `--https`: `--tls` opens the class over https too"),
+        )
     classroom: Classroom | None = context.obj
     if classroom is None:
         raise StudioError(
             Sentence("this command line was started without a studio"), Sentence("start it with `python -m kitrobot`")
         )
-    classroom(ClassOptions(folder, host, port, tls, browser, new_code, site))
+    classroom(ClassOptions(folder, host, port, tls, https, browser, new_code, site))
 
 
 def _write_marks(folder: Path, gradebook: str) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import re
 
+from kitrobot.text.sentences import Sentence
 from kitrobot.translation.reader_language import reader_language
 from kitrobot.translation.translator import DIRECTIONS
 from kitrobot.wire.sentences import spoken
@@ -38,6 +39,20 @@ def sentence(message: str, help: str) -> str:
         language=language,
         direction=DIRECTIONS[language],
         message=_words(spoken(message)),
+        help=_words(spoken(help)),
+    )
+
+
+def secure_address(address: str, help: str) -> str:
+    """A page for who asked a server over TLS in plain HTTP: where it is, and a sentence on what comes there."""
+    language = reader_language()
+    shown = html.escape(address)
+    return _PAGE.format(
+        language=language,
+        direction=DIRECTIONS[language],
+        message=_words(spoken(Sentence("The class is at {address}", "{address}"))).replace(
+            "{address}", f'<a href="{shown}"><bdi>{shown}</bdi></a>'
+        ),
         help=_words(spoken(help)),
     )
 

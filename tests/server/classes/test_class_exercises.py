@@ -123,11 +123,38 @@ def marks_reach_the_gradebook(teacher, school) -> None:
     )
     assert found["text"].splitlines()[1:] == ["ada@x,Ada King,0,'=Well done", "? Ben,Ben,-,"]
     assert teacher.get("/api/class/teacher/marks", params={"gradebook": "../x"}).status_code == 422
+    the_list_of_a_gradebook_comes_in(teacher, ben, school.room.folder / "gradebook.csv")
     (school.room.folder / "gradebook.csv").write_text("1,2\n")
     refused = teacher.get("/api/class/teacher/marks", params={"gradebook": "canvas"})
     assert refused.status_code == 422
     assert "gradebook.csv" in refused.json()["message"]
     (school.room.folder / "gradebook.csv").unlink()
+
+
+def the_list_of_a_gradebook_comes_in(teacher, ben, path) -> None:
+    address = "/api/class/teacher/gradebook"
+    before = path.read_bytes()
+    for wrong, why in (
+        (b"1,2\n", "names no column"),
+        (b"", "names no column"),
+        (b"Name\n", "no pupils"),
+        (b"PK\x03\x04" + bytes(100), "spreadsheet"),
+        (bytes(range(256)), "cannot be used"),
+    ):
+        refused = teacher.put(address, content=wrong)
+        assert refused.status_code == 422
+        assert why in refused.json()["message"]
+        assert path.read_bytes() == before
+    assert teacher.put(address, content=b"Name\n" + b"x" * 4_200_000).status_code == 413
+    assert path.read_bytes() == before
+    assert ben.put(address, content=b"Name\nAda\n").status_code == 403
+    wanted = "\ufeffStudent;Email\nKing, Ada;a@x\nBen;b@x\n".encode()
+    assert teacher.put(address, content=wanted).json() == {"pupils": 2, "unlisted": []}
+    assert path.read_bytes() == wanted
+    assert teacher.put(address, content=b"Name\nAda\n").json() == {"pupils": 1, "unlisted": ["Ben"]}
+    path.unlink()
+    assert teacher.put(address, content=wanted).status_code == 200
+    assert path.stat().st_mode & 0o077 == 0
 
 
 def another_exercise_is_another_column(teacher, school) -> None:

@@ -42,8 +42,8 @@ def a_class_that_opens_says_what_a_teacher_has_to_tell(process: subprocess.Popen
     [
         ("127.0.0.1", False, "Only this machine can reach the class"),
         ("::1", True, "Only this machine can reach the class"),
-        ("192.168.4.20", False, "What is sent can be read in that network: `--tls` prevents it."),
-        ("0.0.0.0", False, "What is sent can be read in that network: `--tls` prevents it."),
+        ("192.168.4.20", False, "What is sent can be read in that network: `--https` prevents it."),
+        ("0.0.0.0", False, "What is sent can be read in that network: `--https` prevents it."),
         (
             "192.168.4.20",
             True,

@@ -69,9 +69,10 @@ def test_pupils_join_and_are_told_over_tls(tmp_path):
             own = f"wss://{place}/api/class/pupil?token={joined['key']}"
             assert first_said(own, trusting, f"https://{place}")["name"] == "Ada"
             assert first_said(watch, trusting, f"https://{place}")["address"] == f"https://{place}/"
-        # Nothing is said to who does not encrypt, nor to who does not trust the certificate.
-        with pytest.raises(httpx.TransportError):
-            httpx.get(f"http://{place}/", timeout=PATIENCE_S)
+        # Who does not encrypt learns the address; who does not trust the certificate nothing.
+        plain = httpx.get(f"http://{place}/api/class", timeout=PATIENCE_S)
+        assert plain.status_code == 426
+        assert f'<a href="https://{place}/">' in plain.text
         with pytest.raises(httpx.ConnectError, match="CERTIFICATE_VERIFY_FAILED"):
             httpx.get(f"https://{place}/", timeout=PATIENCE_S)
     finally:

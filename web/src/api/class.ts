@@ -72,6 +72,8 @@ export const classApi = {
   table: () => bytes("/teacher/table"),
   grade: (folders: readonly string[] | null) => ask<number>("/teacher/grade", post({ folders })),
   marks: (gradebook: Gradebook) => ask<server.TeacherMarks>(`/teacher/marks?gradebook=${gradebook}`),
+  keepGradebook: (list: ArrayBuffer) =>
+    ask<server.TeacherGradebook>("/teacher/gradebook", { method: "PUT", bytes: list }),
   grades: () => bytes("/teacher/grades"),
 };
 

@@ -1534,6 +1534,9 @@ export interface SweepStartRequest {
   seconds: number;
 }
 
+/** The list of a gradebook as it was kept: how many pupils it has, and which of the class it lacks. */
+export type TeacherGradebook = { pupils: number; unlisted: string[] };
+
 /** The name it has, and how many got it. */
 export type TeacherHandedOut = { name: string; pupils: number };
 

@@ -8,7 +8,7 @@ import "./layout.css";
 import "../ui/menus.css";
 import "./tabs.css";
 
-import { type CSSProperties, type DragEvent, useEffect } from "react";
+import { type CSSProperties, useEffect } from "react";
 
 import { Dock, PanelSlot, Slot } from "../components/Slot";
 import { t } from "../i18n/words";
@@ -26,6 +26,7 @@ import { keepTeamView, useTeam } from "../session/team-view";
 import { useView } from "../session/view";
 import { keepWorld } from "../session/world-files";
 import { endAll, listen } from "../ui/effects";
+import { fileDrop } from "../ui/file-drop";
 import { Banner } from "./Banner";
 import { begin } from "./startup";
 import { FEATURES } from "./features";
@@ -78,10 +79,6 @@ function useDocumentFlow(): void {
     const hide = () => void flush();
     return endAll(listen(window, { beforeunload: ask }), listen(document, { visibilitychange: hide }));
   }, []);
-}
-
-function carriesFile(event: DragEvent): boolean {
-  return event.dataTransfer.types.includes("Files");
 }
 
 /** What the inspector has beside the code where nobody gave it a height, and the two lines between the panels, in px. */
@@ -161,16 +158,9 @@ function Studio() {
       data-room={room ?? "graph"}
       data-stage={large}
       aria-busy={opening}
-      onDragOver={(event) => {
-        if (carriesFile(event)) event.preventDefault();
-      }}
-      onDrop={(event) => {
-        if (!carriesFile(event)) return;
-        event.preventDefault();
-        // The list of files is empty after the event.
-        const files = [...event.dataTransfer.files];
+      {...fileDrop((files) => {
         for (const { takeFiles } of FEATURES) takeFiles?.(files);
-      }}
+      })}
     >
       <header className="head rigid relative">
         <div className="head-menu aligned relative">

@@ -70,8 +70,14 @@ export const CLASS_EN = {
   "teacher.marks-none-help": "Choose an exercise and press *Grade* first.",
   "teacher.marks-saved": { one: "{file}: {count} exercise.", other: "{file}: {count} exercises." },
   "teacher.marks-unlisted": "Not in `gradebook.csv`, or more than once: {names}. Look at these lines.",
-  "teacher.marks-no-list":
-    "The gradebook may not find these names: put the list that it exports into the folder of the class, as `gradebook.csv`.",
+  "teacher.marks-no-list": "The gradebook may not find these names: choose *The gradebook's list* in this menu first.",
+  "teacher.gradebook": "The gradebook's list (CSV) …",
+  "teacher.gradebook-kept": {
+    one: "The list of the gradebook has {count} pupil.",
+    other: "The list of the gradebook has {count} pupils.",
+  },
+  "teacher.gradebook-unlisted": "It does not name {names}, or more than once.",
+  "teacher.gradebook-one": "Drop one file here: the CSV list of your gradebook.",
   "teacher.add": "Add a pupil",
   "teacher.here": "{count} here",
   "teacher.away": "{count} away",

@@ -9,19 +9,23 @@ import sys
 import threading
 import webbrowser
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
+from urllib.parse import urlsplit
 
 from kitrobot.classroom.class_room import SITE, ClassRoom
 from kitrobot.classroom.record import unread_sentence
 from kitrobot.classroom.teacher_actions import TeacherActions
 from kitrobot.server.classroom.certificate import usable_certificate
+from kitrobot.server.classroom.own_certificate import OwnCertificate, own_certificate
+from kitrobot.server.fallback_pages import secure_address
 from kitrobot.server.hosts import host_number, is_loopback
 from kitrobot.server.presence import Presence
 from kitrobot.server.studio_server import ServerError, has_screen, listen, print_address
 from kitrobot.text.collection import collection_paused
 from kitrobot.text.sentences import Sentence
-from kitrobot.translation.reader_language import translate
+from kitrobot.translation.reader_language import best_language, override_language, translate
 
 if TYPE_CHECKING:
     from kitrobot.classroom.overview import JoinAddress
@@ -29,14 +33,16 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ClassSettings:
-    """How a class is to be opened: `tls` is a certificate and its key; `new_code` instead of the one it had; `site` the
-    folder of a static site, None for that in the folder of the class, if there is one.
+    """How a class is to be opened: `tls` is a certificate and its key, `https` asks for one of the class's own;
+    `new_code` instead of the one it had; `site` the folder of a static site, None for that in the folder of the class,
+    if there is one.
     """
 
     folder: Path
     host: str = "127.0.0.1"
     port: int | None = None
     tls: tuple[Path, Path] | None = None
+    https: bool = False
     browser: bool = True
     new_code: bool = False
     site: Path | None = None
@@ -46,7 +52,7 @@ def serve_class(opening: ClassSettings) -> None:
     """Serves a class until Ctrl-C.
 
     Raises:
-        ServerError: it cannot listen there, or the certificate cannot be used.
+        ServerError: it cannot listen there, or the certificate cannot be used or made.
         ClassError: the class of the folder runs already.
         FileError: the folder, the certificate or its key cannot be used.
         SiteError: the site cannot be used.
@@ -55,11 +61,12 @@ def serve_class(opening: ClassSettings) -> None:
     if opening.tls is not None:
         usable_certificate(*opening.tls)
     site = _site(opening)
+    own = own_certificate(_shown(address)) if opening.https else None
     room = ClassRoom(opening.folder)
     try:
         if opening.new_code or not room.record.code:
             TeacherActions(room).set_code(True)
-        _serve(room, address, opening, site)
+        _serve(room, address, opening, site, own)
     finally:
         room.close()
 
@@ -80,8 +87,10 @@ def _site(opening: ClassSettings) -> Path | None:
     return site
 
 
-def _serve(room: ClassRoom, address: str, opening: ClassSettings, site: Path | None) -> None:
-    tls = opening.tls
+def _serve(
+    room: ClassRoom, address: str, opening: ClassSettings, site: Path | None, own: OwnCertificate | None
+) -> None:
+    tls = opening.tls if own is None else (own.path, own.path)
     first = listen(address, opening.port)
     number = first.getsockname()[1]
     listening = [first]
@@ -94,10 +103,10 @@ def _serve(room: ClassRoom, address: str, opening: ClassSettings, site: Path | N
     with collection_paused():
         from kitrobot.server.classroom.app import create_class_app
         from kitrobot.server.classroom.gateway import new_key
-        from kitrobot.server.web_server import run_server
+        from kitrobot.server.web_server import Tls, run_server
 
     scheme = "http" if tls is None else "https"
-    shown = _own_address() if _is_any(address) else address
+    shown = _shown(address)
     pupils = f"{scheme}://{_name(shown)}:{number}/"
     home = f"{scheme}://{'127.0.0.1' if tls is None else _name(shown)}:{number}/"
     key = new_key()
@@ -107,20 +116,55 @@ def _serve(room: ClassRoom, address: str, opening: ClassSettings, site: Path | N
 
     def ready() -> None:
         print_address(teacher)
-        for line in _welcome(room, reach, site):
+        for line in _welcome(room, reach, site, own):
             print(line, file=sys.stderr, flush=True)
         if opening.browser and has_screen():
             threading.Thread(target=_open_browser, args=(room.folder, teacher), daemon=True).start()
 
     try:
-        run_server(made.app, listening, ready, tls)
+        warning = "" if own is None else warning_sentence(_name(shown))
+        run_server(made.app, listening, ready, tls and Tls(*tls, partial(_greet, pupils, warning)))
     finally:
         made.close()
         for one in listening:
             one.close()
 
 
-def _welcome(room: ClassRoom, reach: JoinAddress, site: Path | None) -> list[str]:
+def _greet(address: str, warning: str, languages: str) -> str:
+    """The page for who opens the address without `https`; `languages` are those that the browser asks for."""
+    with override_language(best_language(languages)):
+        return secure_address(address, warning)
+
+
+def warning_sentence(host: str) -> Sentence:
+    """What to do where a browser warns of the class's own certificate."""
+    return Sentence(
+        "At the first visit the browser warns, because it does not know the certificate of this class. In Chrome and"
+        " Edge press `Advanced`, then `Proceed to {host}`; in Firefox `Advanced`, then `Proceed` or `Accept the Risk"
+        " and Continue`; in Safari `Show Details`, then `visit this website`.",
+        host,
+    )
+
+
+def _certificate_lines(own: OwnCertificate, host: str) -> list[str]:
+    made = Sentence("The certificate was made now; its fingerprint (SHA-256) is")
+    kept = Sentence("The certificate is the one of before; its fingerprint (SHA-256) is")
+    return [
+        translate(warning_sentence(host)),
+        translate(made if own.new else kept),
+        own.fingerprint,
+        translate(
+            Sentence(
+                "Pupils' pages reach boards that are plugged in then. They open without the network in Firefox, and in"
+                " Chrome and Edge where {file} is installed as trusted. Both need a site.",
+                own.public,
+            )
+        ),
+        "",
+    ]
+
+
+def _welcome(room: ClassRoom, reach: JoinAddress, site: Path | None, own: OwnCertificate | None) -> list[str]:
     code = room.record.code
     runs = Sentence("Programs of pupils run in their own browsers.")
     if site is None:
@@ -136,6 +180,7 @@ def _welcome(room: ClassRoom, reach: JoinAddress, site: Path | None) -> list[str
         translate(Sentence("Pupils open {address}", reach.address)),
         translate(Sentence("and type the code {code}", f"{code[:3]} {code[3:]}")),
         "",
+        *([] if own is None else _certificate_lines(own, urlsplit(reach.address).hostname or "")),
         translate(reach.sentence),
         translate(runs),
         translate(Sentence("The work of the class is in the folder {folder}. Ctrl-C ends the class.", room.folder)),
@@ -170,7 +215,7 @@ def reach_sentence(address: str, secure: bool) -> Sentence:
         return Sentence("Everybody in the network of this machine can reach the class; who has the code comes in.")
     return Sentence(
         "Everybody in the network of this machine can reach the class; who has the code comes in. What is sent can be"
-        " read in that network: `--tls` prevents it."
+        " read in that network: `--https` prevents it."
     )
 
 
@@ -191,6 +236,11 @@ def _address(host: str) -> str:
 
 def _is_any(address: str) -> bool:
     return ipaddress.ip_address(address).is_unspecified
+
+
+def _shown(address: str) -> str:
+    """The address that pupils open, of one that is listened on."""
+    return _own_address() if _is_any(address) else address
 
 
 def _own_address() -> str:

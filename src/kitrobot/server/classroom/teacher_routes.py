@@ -13,7 +13,7 @@ from kitrobot.classroom.admission import Admission
 from kitrobot.classroom.archive import ClassArchive, build_archive, table
 from kitrobot.classroom.class_room import ClassError
 from kitrobot.classroom.exercises import exercise_label, hand_out_exercise
-from kitrobot.classroom.gradebook_list import read_gradebook_list
+from kitrobot.classroom.gradebook_list import keep_gradebook_list, match_pupils, read_gradebook_list
 from kitrobot.classroom.gradebook_tables import Gradebook, marks_as_csv
 from kitrobot.classroom.grading_queue import ClassGrader
 from kitrobot.classroom.messages import (
@@ -24,6 +24,7 @@ from kitrobot.classroom.messages import (
     TeacherCommentShape,
     TeacherExerciseShape,
     TeacherFreezeShape,
+    TeacherGradebookShape,
     TeacherGradeShape,
     TeacherHandedOutShape,
     TeacherHandOutShape,
@@ -221,6 +222,20 @@ def grade(grading: TheGrading, wanted: TeacherGradeShape) -> int:
 def grades(grading: TheGrading) -> Response:
     """The page that grading wrote last."""
     return Response(grading.page(), media_type="text/html; charset=utf-8")
+
+
+async def _body(request: Request) -> bytes:
+    return await request.body()
+
+
+@teacher_routes.put("/gradebook")
+def gradebook(room: ThisRoom, data: Annotated[bytes, Depends(_body)]) -> TeacherGradebookShape:
+    """Keeps the list of pupils that a gradebook exports, for the marks."""
+    listed = keep_gradebook_list(room.folder, data)
+    names = [pupil.name for pupil in room.record.pupils]
+    lines = match_pupils(names, listed)
+    unlisted = [name for name, line in zip(names, lines, strict=True) if line is None]
+    return TeacherGradebookShape(pupils=len(listed), unlisted=unlisted)
 
 
 @teacher_routes.get("/marks")

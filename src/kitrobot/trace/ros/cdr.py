@@ -8,7 +8,7 @@ OMG, *DDS for Extensible and Dynamic Topic Types* 1.3, section 7.4.
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from typing import Final
 
 ENCAPSULATION: Final = b"\x00\x01\x00\x00"
@@ -23,58 +23,57 @@ class CdrLayout:
     """
 
     def __init__(self) -> None:
-        self._format = ["<4s"]
-        self._arguments: list[bytes | int | float] = [ENCAPSULATION]
-        self._numbers: list[int] = []
-        self._size = 0
-        self._packer: Callable[..., bytes] | None = None
+        self._bytes = bytearray(ENCAPSULATION)
+        self._runs: list[tuple[int, str]] = []
+        """Where numbers stand next to each other, and which."""
+        self._packers: list[tuple[Callable[..., None], int, int, int]] = []
 
     def numbers(self, kinds: str) -> CdrLayout:
         """Numbers that each message has anew, by the letters of `struct`: d, i, I, Q, B."""
         for kind in kinds:
             self._align(_SIZES[kind])
-            self._numbers.append(len(self._arguments))
-            self._arguments.append(0)
-            self._format.append(kind)
-            self._size += _SIZES[kind]
+            end = len(self._bytes)
+            if self._runs and self._runs[-1][0] + struct.calcsize(f"<{self._runs[-1][1]}") == end:
+                self._runs[-1] = (self._runs[-1][0], self._runs[-1][1] + kind)
+            else:
+                self._runs.append((end, kind))
+            self._bytes += bytes(_SIZES[kind])
         return self
 
     def text(self, text: str) -> CdrLayout:
         """A string that is the same in each message."""
         data = text.encode() + b"\0"
         self.length(len(data))
-        self._arguments.append(data)
-        self._format.append(f"{len(data)}s")
-        self._size += len(data)
+        self._bytes += data
         return self
 
     def length(self, count: int) -> CdrLayout:
         """The length of a sequence, the same in each message."""
         self._align(4)
-        self._arguments.append(count)
-        self._format.append("I")
-        self._size += 4
+        self._bytes += struct.pack("<I", count)
         return self
 
-    def encode(self, numbers: Iterable[float]) -> bytes:
+    def encode(self, numbers: Sequence[float]) -> bytes:
         """A message of these numbers, in the order of the fields.
 
         Raises:
             ValueError: there are more or fewer numbers than the layout has.
             struct.error: a whole number is beyond its field.
         """
-        arguments = list(self._arguments)
-        for place, number in zip(self._numbers, numbers, strict=True):
-            arguments[place] = number
-        if self._packer is None:
-            self._packer = struct.Struct("".join(self._format)).pack
-        return self._packer(*arguments)
+        if not self._packers:
+            first = 0
+            for place, kinds in self._runs:
+                self._packers.append((struct.Struct(f"<{kinds}").pack_into, place, first, first + len(kinds)))
+                first += len(kinds)
+        if len(numbers) != (self._packers[-1][3] if self._packers else 0):
+            raise ValueError(f"{len(numbers)} numbers for another layout")
+        message = self._bytes
+        for pack_into, place, first, last in self._packers:
+            pack_into(message, place, *numbers[first:last])
+        return bytes(message)
 
     def _align(self, size: int) -> None:
-        gap = -self._size % size
-        if gap:
-            self._format.append(f"{gap}x")
-            self._size += gap
+        self._bytes += bytes(-(len(self._bytes) - len(ENCAPSULATION)) % size)
 
 
 def encode_texts(stamp: tuple[int, int], texts: Sequence[str], whole: Sequence[int] | None = None) -> bytes:

@@ -1,13 +1,14 @@
 /** The head of the teacher's page: its menus, and what is done with all pupils, or with those that the filter shows. */
-import { classApi, type Gradebook, GRADEBOOKS } from "../../../api/class";
+import { classApi } from "../../../api/class";
 import { t } from "../../../i18n/words";
 import { Icon, useTheme } from "../../../theme";
 import { download } from "../../../ui/download";
 import { languageEntries, themeEntries } from "../../../ui/look-entries";
 import { type MenuEntry, menuItem } from "../../../ui/menu-model";
 import { MenuButton } from "../../../ui/MenuButton";
+import { MarksTool } from "./MarksTool";
 import type { SheetName } from "./Sheets";
-import { act, freeze, say, useDesk } from "./store";
+import { act, freeze, useDesk } from "./store";
 
 const MORE_PLACES = 50;
 /** As many as a class can be told to take. */
@@ -182,35 +183,5 @@ export function Head({ open, folders, here, away }: HeadProps) {
         </p>
       </div>
     </header>
-  );
-}
-
-async function save(gradebook: Gradebook): Promise<void> {
-  const { name, text, exercises, listed, unlisted } = await classApi.marks(gradebook);
-  if (exercises === 0) {
-    say(t("teacher.marks-none"), t("teacher.marks-none-help"));
-    return;
-  }
-  download(name, text, "text/csv");
-  const missing = unlisted.length === 0 ? "" : t("teacher.marks-unlisted", { names: unlisted.join(", ") });
-  const help = listed || gradebook === "sheet" ? missing : t("teacher.marks-no-list");
-  say(t("teacher.marks-saved", { file: name, count: exercises }), help);
-}
-
-/** The marks of the class as CSV, in the form that a gradebook imports. */
-export function MarksTool() {
-  const entries = GRADEBOOKS.map((one) =>
-    menuItem(`marks-${one}`, t(`teacher.marks-${one}`), null, () => act(save(one))),
-  );
-  return (
-    <MenuButton
-      id="class-marks"
-      label={t("teacher.marks")}
-      className="tool tool-named rigid nowrap medium gap-m relative"
-      entries={entries}
-    >
-      <Icon name="clipboard-check" size={18} />
-      {t("teacher.marks")}
-    </MenuButton>
   );
 }

@@ -14,6 +14,7 @@ import { text } from "../../../model/texts";
 import { Icon } from "../../../theme";
 import { Button } from "../../../ui/Button";
 import { listen } from "../../../ui/effects";
+import { fileDrop } from "../../../ui/file-drop";
 import { Row } from "../../../ui/Row";
 import { Select } from "../../../ui/Select";
 import { Tool } from "../../../ui/Tool";
@@ -22,6 +23,7 @@ import { Head } from "./Head";
 import { JoinCard, LargeJoin } from "./JoinCard";
 import { Look } from "./Look";
 import { counts, type Filter, FILTERS, met, type Order, ORDERS, shown } from "./order";
+import { takeList } from "./MarksTool";
 import { type SheetName, SHEETS } from "./Sheets";
 import { act, dismissNotice, fail, filterCards, findPupils, keepDesk, look, pupilsOf, sortBy, useDesk } from "./store";
 
@@ -233,7 +235,7 @@ export function Teacher() {
   const here = pupils.filter(({ pages }) => pages > 0).length;
   const Open = sheet === null ? null : SHEETS[sheet];
   return (
-    <div className="class-page column" data-testid="teacher">
+    <div className="class-page column" data-testid="teacher" {...fileDrop(takeList)}>
       <Head open={setSheet} folders={some} here={here} away={pupils.length - here} />
       <Notices />
       <div className="class-middle fill flex">
