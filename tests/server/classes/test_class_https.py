@@ -206,7 +206,7 @@ def another_name_is_not_of_the_certificate(opened: OpenClass) -> None:
 
 def the_terminal_says_fingerprint_warning_and_use(opened: OpenClass) -> None:
     fingerprint = OwnCertificate(opened.certificate, opened.certificate, new=False).fingerprint
-    assert f"was made now; its fingerprint (SHA-256) is\n{fingerprint}\n" in opened.said
+    assert f"is new; its fingerprint (SHA-256) is\n{fingerprint}\n" in opened.said
     assert "press `Advanced`, then `Proceed to 127.0.0.1`" in opened.said
     assert f"where {opened.certificate} is installed as trusted" in opened.said
 

@@ -76,7 +76,7 @@ export const CLASS_EN = {
     one: "The list of the gradebook has {count} pupil.",
     other: "The list of the gradebook has {count} pupils.",
   },
-  "teacher.gradebook-unlisted": "It does not name {names}, or more than once.",
+  "teacher.gradebook-unlisted": "It does not name {names} exactly once.",
   "teacher.gradebook-one": "Drop one file here: the CSV list of your gradebook.",
   "teacher.add": "Add a pupil",
   "teacher.here": "{count} here",

@@ -147,15 +147,15 @@ def warning_sentence(host: str) -> Sentence:
 
 
 def _certificate_lines(own: OwnCertificate, host: str) -> list[str]:
-    made = Sentence("The certificate was made now; its fingerprint (SHA-256) is")
-    kept = Sentence("The certificate is the one of before; its fingerprint (SHA-256) is")
+    made = Sentence("The certificate is new; its fingerprint (SHA-256) is")
+    kept = Sentence("The certificate is the same as before; its fingerprint (SHA-256) is")
     return [
         translate(warning_sentence(host)),
         translate(made if own.new else kept),
         own.fingerprint,
         translate(
             Sentence(
-                "Pupils' pages reach boards that are plugged in then. They open without the network in Firefox, and in"
+                "Pupils' pages then reach boards that are plugged in. They open without the network in Firefox, and in"
                 " Chrome and Edge where {file} is installed as trusted. Both need a site.",
                 own.public,
             )
