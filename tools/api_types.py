@@ -1,7 +1,7 @@
-"""The page's TypeScript types, from the server's models: `web/src/api/generated.ts`.
+"""The page's TypeScript types, from the server's models: `web/src/api/generated.ts`; and `web/src/i18n/languages.ts`.
 
-    python tools/api_types.py            write the file
-    python tools/api_types.py --check    exit with 1 when it is not what the models say
+    python tools/api_types.py            write the files
+    python tools/api_types.py --check    exit with 1 when they are not what the models and the list of languages say
 
 The names are those of the models without `Shape`. One type a model, or one union an enumeration, in the order of their
 names: those that a source of the page names, and those that these are made of. So the file changes only where a model
@@ -23,12 +23,14 @@ from pydantic.json_schema import models_json_schema
 from kitrobot.classroom.messages import PUPIL_MESSAGE_MODELS, PUPIL_REQUEST_MODELS
 from kitrobot.server.app import create_app
 from kitrobot.server.classroom.app import class_api
+from kitrobot.translation.languages import LANGUAGES
 from kitrobot.wire.run import RUN_MESSAGE_MODELS
 from kitrobot.wire.run_requests import REQUEST_MODELS
 
 ROOT = Path(__file__).resolve().parent.parent
 SOURCES = ROOT / "web" / "src"
 TARGET = SOURCES / "api" / "generated.ts"
+LANGUAGES_TARGET = SOURCES / "i18n" / "languages.ts"
 LINE_WIDTH = 120
 
 _HEAD = """/**
@@ -57,6 +59,18 @@ def types() -> str:
     sources = [path.read_text(encoding="utf-8") for path in SOURCES.rglob("*.ts*") if path != TARGET]
     used = reached_types(declared, sources)
     return "\n".join([_HEAD, *(text for name, text in declared.items() if name in used)])
+
+
+def languages() -> str:
+    """The languages as the page has them."""
+    head = """/**
+ * Languages by the name that their readers give them, and the way they run. Those but English have a catalogue beside this file.
+ *
+ * Written by `python tools/api_types.py` from the list in `src/kitrobot/translation/languages.py`: change that instead.
+ */
+export const LANGUAGES = {"""
+    lines = (f'  {code}: {{ name: "{one.name}", dir: "{one.direction}" }},' for code, one in LANGUAGES.items())
+    return "\n".join([head, *lines, "} as const;", ""])
 
 
 def reached_types(declared: Mapping[str, str], sources: Sequence[str]) -> set[str]:
@@ -157,16 +171,17 @@ def _type(schema: Mapping[str, Any]) -> str:
 
 
 def main(arguments: list[str]) -> int:
-    """Writes or checks the file; the exit status."""
-    wanted = types()
-    current = TARGET.read_text(encoding="utf-8") if TARGET.is_file() else ""
-    if "--check" in arguments:
-        if current != wanted:
-            print(f"{TARGET.relative_to(ROOT)} is not what the models say: python tools/api_types.py", file=sys.stderr)
-        return int(current != wanted)
-    if current != wanted:
-        TARGET.write_text(wanted, encoding="utf-8", newline="\n")
-    return 0
+    """Writes or checks the files; the exit status."""
+    status = 0
+    for target, wanted in ((TARGET, types()), (LANGUAGES_TARGET, languages())):
+        if target.is_file() and target.read_text(encoding="utf-8") == wanted:
+            continue
+        if "--check" in arguments:
+            print(f"{target.relative_to(ROOT)} is not current: python tools/api_types.py", file=sys.stderr)
+            status = 1
+        else:
+            target.write_text(wanted, encoding="utf-8", newline="\n")
+    return status
 
 
 if __name__ == "__main__":

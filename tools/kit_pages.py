@@ -1,5 +1,5 @@
 """Write docs/kits.md and the wiring pictures beside it: what kits there are, and which program runs on which; and what
-kits say of themselves in French and Urdu, docs/kits.fr.md and docs/kits.ur.md.
+kits say of themselves in other languages, docs/kits.fr.md and so on.
 
 python -m tools.kit_pages            write them
 python -m tools.kit_pages --check    only say which are not current; status 1 if there is one
@@ -19,8 +19,9 @@ from kitrobot.boards.kit_pictures import pin_name, wiring_picture
 from kitrobot.boards.kits import mission_on_kit
 from kitrobot.primitives.kit import CHIP_OF_V2, Kit, KitEvidence
 from kitrobot.workspace.kit_files import kits_at_hand
+from kitrobot.translation.languages import LANGUAGES, TRANSLATED
 from kitrobot.workspace.mission_loader import open_mission
-from tools.kit_texts import WORDS, page_in
+from tools.kit_texts import page_in
 
 REPOSITORY = Path(__file__).resolve().parents[1]
 PAGE = REPOSITORY / "docs" / "kits.md"
@@ -56,7 +57,7 @@ _HEAD = """# Kits
 One robot definition runs on many kits: `NAME.board.xml` says how the parts of robots are wired on one. `kitrobot
 deploy MISSION --board NAME` sends a program to it, `kitrobot check MISSION --board NAME` says part by part what it has.
 [Robots' XML](xml.md#kits) explains how to write such a file. `python -m tools.kit_pages` makes this page. The texts of
-the kits are also [in French](kits.fr.md) and [in Urdu](kits.ur.md).
+the kits are also in LANGUAGES.
 
 Each kit says how it is tested. None of them is tested on a physical board yet. Pins, addresses and
 protocols come from the documents that the kit names. These figures have no document; they are **guesses** until you
@@ -127,11 +128,16 @@ def pages(runs: dict[str, dict[str, str]] | None = None) -> dict[Path, str]:
     kits = shown_kits()
     written = {PICTURES / f"wiring-{kit.name}.svg": wiring_picture(kit) for kit in kits if kit.supplies}
     written[PAGE] = "\n".join(
-        [_HEAD, *_table(kits, runs or what_runs(kits)), *(line for kit in kits for line in _kit(kit))]
+        [_head(), *_table(kits, runs or what_runs(kits)), *(line for kit in kits for line in _kit(kit))]
     )
-    for language in WORDS:
+    for language in TRANSLATED:
         written[PAGE.with_suffix(f".{language}.md")] = page_in(language, kits)
     return written
+
+
+def _head() -> str:
+    *front, last = (f"[{LANGUAGES[code].english}](kits.{code}.md)" for code in TRANSLATED)
+    return _HEAD.replace("LANGUAGES", f"{', '.join(front)} and {last}")
 
 
 def missions() -> list[Path]:

@@ -1,6 +1,6 @@
 """Brings the catalogues of the translators (`.po`) up to date with the sentences of the program and of the page.
 
-    python tools/sentences.py            lists what has no French or no Urdu yet, and what is translated for nothing
+    python tools/sentences.py            lists what some language lacks, and what is translated for nothing
     python tools/sentences.py --write    adds those to the catalogues without a translation, and takes the others out
 
 Of the program these are the templates of `Sentence`, `Sentence.counted` and `Recorded`, and the explanations of rules;
@@ -23,10 +23,13 @@ from pathlib import Path
 from babel.messages.catalog import Catalog, Message
 from babel.messages.pofile import read_po, write_po
 
+from kitrobot.translation.languages import TRANSLATED
+
 ROOT = Path(__file__).resolve().parents[1]
 SOURCES = ROOT / "src" / "kitrobot"
 PAGE = ROOT / "web" / "src" / "i18n"
-LANGUAGES = ("fr", "ur")
+PAGES = (ROOT / "tools" / "kit_texts.py",)
+"""What writes documents in every language."""
 
 TERMINAL = (
     "cli/",
@@ -68,8 +71,8 @@ Id = str | tuple[str, str]
 
 def _of_the_program() -> Iterator[tuple[str, str | None, Id]]:
     """File, context and English of every sentence of the rooms."""
-    for path in sorted(SOURCES.rglob("*.py")):
-        name = path.relative_to(SOURCES).as_posix()
+    for path in (*sorted(SOURCES.rglob("*.py")), *PAGES):
+        name = path.relative_to(ROOT if path in PAGES else SOURCES).as_posix()
         if not name.startswith(TERMINAL):
             for context, id in _templates(ast.parse(path.read_text(encoding="utf-8"))):
                 yield name, context, id
@@ -115,8 +118,11 @@ class CatalogueSet:
         return made
 
     def catalogue(self, language: str) -> Catalog:
-        """A language's catalogue as it is in its file."""
-        with (self.folder / f"{language}.po").open("rb") as stream:
+        """A language's catalogue as it is in its file; an empty one of a language that has none yet."""
+        path = self.folder / f"{language}.po"
+        if not path.exists():
+            return Catalog(locale=language)
+        with path.open("rb") as stream:
             return read_po(stream, locale=language, abort_invalid=True)
 
     def faults(self, language: str) -> tuple[list[Key], list[Key]]:
@@ -130,11 +136,14 @@ class CatalogueSet:
         return lacking, [key for key in known if key not in wanted and key[0] not in self.by_hand]
 
     def update(self, language: str) -> None:
-        """Writes the catalogue with the sentences that are said and no others; what it knows of them is kept."""
+        """Writes the catalogue with the sentences that are said and no others; what it knows of them is kept. What is
+        kept by hand in one language is there for all.
+        """
         known, said = self.catalogue(language), copy.deepcopy(self.sentences)
-        for (context, _), one in entries(known).items():
-            if context in self.by_hand:
-                said.add(one.id, context=context)
+        for other in TRANSLATED:
+            for (context, _), one in entries(self.catalogue(other)).items():
+                if context in self.by_hand:
+                    said.add(one.id, context=context)
         known.update(said, no_fuzzy_matching=True)
         known.obsolete.clear()
         with (self.folder / f"{language}.po").open("wb") as stream:
@@ -164,7 +173,7 @@ def forms(message: Message) -> tuple[str, ...]:
 def main() -> int:
     missing = 0
     for name, half in CATALOGUE_SETS.items():
-        for language in LANGUAGES:
+        for language in TRANSLATED:
             lacking, idle = half.faults(language)
             missing += len(lacking) + len(idle)
             for _, text in lacking:

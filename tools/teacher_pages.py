@@ -37,7 +37,7 @@ def _list(tutorials: dict[str, Tutorial]) -> str:
         "# For teachers",
         "",
         "A page for each tutorial: its aim, how long it takes, what goes wrong, and what to ask afterwards. The studio",
-        "shows the same, in English, French and Urdu, under the tutorial's card in *Help → Learn step by step*.",
+        "shows the same, in the reader's language, under the tutorial's card in *Help → Learn step by step*.",
         "",
         "| tutorial | minutes | aim |",
         "|---|---|---|",

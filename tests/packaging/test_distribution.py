@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.translation.translator import ENGLISH, LANGUAGES
+from kitrobot.translation.languages import TRANSLATED
 from tests.patience import PATIENCE_S
 from tools import page
 
@@ -108,7 +108,7 @@ def the_wheel_carries_every_file_of_the_packages(wheel_names: list[str]) -> None
 
 
 def the_wheel_carries_the_catalogue_of_each_language(wheel_names: list[str]) -> None:
-    assert {f"kitrobot/translation/{language}.po" for language in LANGUAGES if language != ENGLISH} <= set(wheel_names)
+    assert {f"kitrobot/translation/{language}.po" for language in TRANSLATED} <= set(wheel_names)
 
 
 def the_wheel_carries_every_example_and_tutorial(wheel_names: list[str]) -> None:

@@ -18,7 +18,7 @@ from kitrobot.packaging.site_packer import packed
 from kitrobot.packaging.site_parts import PYODIDE, WHEEL_TAGS, SiteError
 from kitrobot.server.first_missions import first_missions
 from kitrobot.server.security import CONTENT_POLICY
-from kitrobot.translation.translator import LANGUAGES
+from kitrobot.translation.languages import LANGUAGES
 from tests.effort import THOROUGH
 from tests.sites import made_site, quickly_packed
 from tools.site_parts import PARTS, ROOT

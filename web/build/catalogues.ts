@@ -1,7 +1,7 @@
 /**
  * Catalogues of translators (gettext, `.po`) as tables for `src/i18n/words.ts`: `import("./fr.po")` gives what each key
- * (msgctxt) is in that language, one form for each plural rule where a sentence counts. `import("./fr.po?later")` gives those
- * of parts that are fetched later, which the first does not hold.
+ * (msgctxt) is in that language, one form for each plural rule where a sentence counts, and in English what nobody translated
+ * yet. `import("./fr.po?later")` gives those of parts that are fetched later, which the first does not hold.
  */
 import type { Plugin } from "vite";
 
@@ -34,18 +34,33 @@ function table(text: string, later: boolean): Record<string, string | Forms> {
     throw new Error("a catalogue begins with Language and Plural-Forms");
   // eslint-disable-next-line @typescript-eslint/no-implied-eval -- C's expression in our own file reads the same in JavaScript
   const form = new Function("n", `return Number(${rule});`) as (count: number) => number;
-  const plural = new Intl.PluralRules(language);
+  const forms = formsOf(language, form);
   const found: Record<string, string | Forms> = {};
   for (const entry of entries) {
     const key = entry["msgctxt"];
     if (key === undefined) continue;
-    const forms: Forms = {};
-    for (let count = COUNTS; count >= 0 && "msgid_plural" in entry; count--) {
-      forms[plural.select(count)] = entry[`msgstr[${String(form(count))}]`] ?? "";
-    }
-    found[key] = "msgid_plural" in entry ? forms : (entry["msgstr"] ?? "");
+    const counted = Object.fromEntries(
+      forms.map(([rule, at]) => [
+        rule,
+        (entry[`msgstr[${String(at)}]`] || entry[rule === "one" ? "msgid" : "msgid_plural"]) ?? "",
+      ]),
+    );
+    found[key] = "msgid_plural" in entry ? counted : ((entry["msgstr"] || entry["msgid"]) ?? "");
   }
   return found;
+}
+
+/** Which form of a catalogue each plural rule of its language takes. */
+function formsOf(language: string, form: (count: number) => number): [Intl.LDMLPluralRule, number][] {
+  const plural = new Intl.PluralRules(language);
+  const found = new Map<Intl.LDMLPluralRule, number>();
+  for (let count = 0; count <= COUNTS; count++) {
+    const rule = plural.select(count);
+    const before = found.get(rule) ?? form(count);
+    if (before !== form(count)) throw new Error(`${language}: Plural-Forms counts otherwise than Intl does`);
+    found.set(rule, before);
+  }
+  return [...found];
 }
 
 /** One entry by keyword: msgctxt, msgid, msgid_plural, msgstr, msgstr[0] … */

@@ -1,6 +1,6 @@
 """The rows of a class as CSV and as one HTML page that needs nothing else.
 
-The page holds every text in English, French and Urdu; which one is shown is chosen in it without a script. All that
+The page holds every text in every language; which one is shown is chosen in it without a script. All that
 comes from files is escaped. In the CSV no cell can begin as a formula of a spreadsheet does.
 """
 
@@ -15,12 +15,11 @@ from typing import Final
 
 from kitrobot.classroom.grades import GoalGrade, Grade, TextsByLanguage, translate_all
 from kitrobot.text.sentences import Sentence
-from kitrobot.translation.translator import DIRECTIONS, LANGUAGES
+from kitrobot.translation.languages import ENGLISH, LANGUAGES
 
 _FORMULA: Final = re.compile(r"""(^|[;,|\t\r\n])([\s"']*)(?=[=+\-@＝＋－＠])""")
 """Where a formula would begin: in a cell, or behind any sign at which a spreadsheet may part it into more."""
 _QUOTED: Final = re.compile("`([^`]*)`")
-_NAMES: Final = {"en": "English", "fr": "Français", "ur": "اردو"}
 
 
 def by_exercise(grades: Sequence[Grade]) -> list[list[Grade]]:
@@ -72,9 +71,9 @@ def as_html(grades: Sequence[Grade]) -> str:
     lost = [one for one in grades if one.problem is not None]
     title = Sentence("Grades")
     choice = "\n".join(
-        f'<input type="radio" name="language" id="{code}"{" checked" if code == "en" else ""}>'
-        f'<label for="{code}" lang="{code}" class="choice">{_NAMES[code]}</label>'
-        for code in LANGUAGES
+        f'<input type="radio" name="language" id="{code}"{" checked" if code == ENGLISH else ""}>'
+        f'<label for="{code}" lang="{code}" class="choice">{language.name}</label>'
+        for code, language in LANGUAGES.items()
     )
     return f"""<!doctype html>
 <html lang="en">
@@ -82,7 +81,7 @@ def as_html(grades: Sequence[Grade]) -> str:
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'">
 <title>{escape(title)}</title>
-<style>{_STYLE}</style>
+<style>{_STYLE}{_language_rules()}</style>
 <body>
 {choice}
 <main>
@@ -151,9 +150,17 @@ def _lost(lost: Sequence[Grade]) -> str:
 def _spans(texts: TextsByLanguage | Mapping[str, str]) -> str:
     """A text in each language, of which one is shown; what stands between back quotes is a name."""
     return "".join(
-        f'<span class="said" lang="{code}" dir="{DIRECTIONS[code]}">{_with_names(texts.get(code, ""))}</span>'
-        for code in LANGUAGES
+        f'<span class="said" lang="{code}" dir="{language.direction}">{_with_names(texts.get(code, ""))}</span>'
+        for code, language in LANGUAGES.items()
     )
+
+
+def _language_rules() -> str:
+    """The rules of CSS that show the chosen language alone."""
+    others = ",\n".join(f"#{code}:checked ~ main .said:not([lang={code}])" for code in LANGUAGES)
+    mirrored = (code for code, language in LANGUAGES.items() if language.direction == "rtl")
+    turned = ", ".join(f"#{code}:checked ~ main" for code in mirrored)
+    return f"{others} {{ display: none; }}\n{turned} {{ direction: rtl; line-height: 2; }}\n"
 
 
 def _with_names(text: str) -> str:
@@ -171,9 +178,6 @@ th, td { padding: .3rem .7rem; border: 1px solid #8888; text-align: center; }
 tbody th { text-align: start; font-weight: 500; }
 .yes { background: #1a7f3722; } .no { background: #cf222e22; font-weight: 700; }
 .spoken { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
-#en:checked ~ main .said:not([lang=en]), #fr:checked ~ main .said:not([lang=fr]),
-#ur:checked ~ main .said:not([lang=ur]) { display: none; }
-#ur:checked ~ main { direction: rtl; line-height: 2; }
 @media print { input, .choice { display: none; } body { margin: 0; max-width: none; }
   section { break-inside: avoid-page; } .yes, .no { print-color-adjust: exact; } }
 """

@@ -7,13 +7,13 @@ from dataclasses import asdict, dataclass
 from typing import Any, Final
 
 from kitrobot.translation.reader_language import override_language, translate
-from kitrobot.translation.translator import LANGUAGES
+from kitrobot.translation.languages import LANGUAGES
 
 LONGEST_TEXT: Final = 500
 """Characters of one sentence in a row."""
 
 TextsByLanguage = dict[str, str]
-"""A text in each language, by `en`, `fr` and `ur`."""
+"""A text in each language, by its code: `en`, `fr` …"""
 
 
 @dataclass(frozen=True)

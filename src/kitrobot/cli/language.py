@@ -9,15 +9,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from kitrobot.translation.languages import LANGUAGES
+
 if TYPE_CHECKING:
     from kitrobot.primitives.robot import Texts
 
 
 def _known(language: str) -> str:
-    from kitrobot.translation.translator import LANGUAGES
+    from kitrobot.text.phrases import one_of
 
     if language not in LANGUAGES:
-        raise typer.BadParameter(f"expected {', '.join(LANGUAGES[:-1])} or {LANGUAGES[-1]}, found {language[:40]!r}")
+        raise typer.BadParameter(f"expected {one_of(LANGUAGES)}, found {language[:40]!r}")
     return language
 
 
@@ -25,7 +27,7 @@ Language = Annotated[
     str,
     typer.Option(
         "--language",
-        metavar="en|fr|ur",
+        metavar="|".join(LANGUAGES),
         callback=_known,
         help="The language of what kits and parts say, and of what is wrong with them.",
     ),

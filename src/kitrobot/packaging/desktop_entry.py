@@ -18,7 +18,7 @@ from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.disk import make_folder, write_atomic
 from kitrobot.text.sentences import Sentence
 from kitrobot.translation.reader_language import override_language, translate
-from kitrobot.translation.translator import ENGLISH, LANGUAGES
+from kitrobot.translation.languages import ENGLISH, LANGUAGES
 
 COMMENT = Sentence("Draw programs for small robots, and run them")
 MISSION = Sentence("KitRobot mission")
@@ -160,7 +160,7 @@ def _localised(key: str, sentence: Sentence) -> list[str]:
 
 def _in_each_language(sentence: Sentence) -> list[tuple[str, str]]:
     found = []
-    for language in (ENGLISH, *sorted(set(LANGUAGES) - {ENGLISH})):
+    for language in LANGUAGES:
         with override_language(language):
             found.append((language, translate(sentence)))
     return found

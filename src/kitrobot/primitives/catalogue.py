@@ -25,7 +25,7 @@ from kitrobot.primitives.constructors_xml import read_constructors
 from kitrobot.primitives.crew import Crew, team_robot
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.match_template import is_more_specific
-from kitrobot.primitives.own_xml import OWN_GROUP, OWN_ICON, OWN_LABEL, OwnVariable
+from kitrobot.primitives.own_xml import OWN_GROUP, OWN_ICON, OwnVariable, own_label
 from kitrobot.primitives.palette_xml import unknown_groups
 from kitrobot.primitives.robot import Robot, RobotObject
 from kitrobot.primitives.robot_xml import read_robot
@@ -132,7 +132,7 @@ class Catalogue:
         own = {constructor.name for constructor in constructors}
         groups = [replace(group, constructors=_without(group.constructors, own)) for group in self.groups]
         if constructors:
-            groups.append(Group(OWN_GROUP, "action", tuple(constructors), OWN_LABEL, OWN_ICON))
+            groups.append(Group(OWN_GROUP, "action", tuple(constructors), own_label(), OWN_ICON))
         robots, problems = dict(self.robots), list(self.problems)
         taken: dict[str, set[str]] = {}
         added: dict[str, list[RobotObject]] = {}

@@ -16,6 +16,7 @@ from dataclasses import dataclass, replace
 from kitrobot.diagnostics.model import Diagnostic
 from kitrobot.primitives import rules
 from kitrobot.primitives.attribute_kinds import NAMED_ROBOT
+from kitrobot.primitives.automatic_xml import part_texts
 from kitrobot.primitives.constructors import Constructor, Slot, SlotKind
 from kitrobot.primitives.constructors_xml import CONSTRUCTOR
 from kitrobot.primitives.meaning_xml import meaning_attributes, meaning_elements
@@ -39,7 +40,10 @@ OWN_GROUP = "Own"
 
 OWN_ICON = "package"
 
-OWN_LABEL: Texts = {"": "My parts", "fr": "Mes pièces", "ur": "میرے پرزے"}
+
+def own_label() -> Texts:
+    """The words of that heading."""
+    return part_texts(OWN_GROUP)["label"]
 
 
 @dataclass(frozen=True)
@@ -132,7 +136,7 @@ def write_constructor(constructor: Constructor, indent: str = "  ") -> list[str]
 
 def write_constructors(constructors: Sequence[Constructor]) -> bytes:
     """A constructors file with these parts in one group, which any folder of parts can hold."""
-    label = "".join(_texts("label", OWN_LABEL))
+    label = "".join(_texts("label", own_label()))
     head = [
         '<constructors version="1">',
         f"  <group{attributes(('name', OWN_GROUP), ('colour', 'action'), ('icon', OWN_ICON))}>{label}",

@@ -7,9 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cache
 
 from kitrobot.lll.tree import WorkDeclaration
-from kitrobot.primitives.automatic import texts, work_object
+from kitrobot.primitives.automatic import work_object
+from kitrobot.primitives.automatic_xml import worded
 from kitrobot.primitives.robot import (
     Board,
     Category,
@@ -18,7 +20,6 @@ from kitrobot.primitives.robot import (
     Parameter,
     Robot,
     RobotObject,
-    Texts,
     ValueType,
 )
 
@@ -32,69 +33,14 @@ MOST_POINTS = 65536
 _POINT = Parameter("point", 0, MOST_POINTS - 1, 0)
 
 
-def _procedure(name: str, help: Texts, *parameters: Parameter) -> Method:
-    return Method(name, Kind.PROCEDURE, parameters, completes_later=True, icon="users", help=help)
-
-
-_PROCEDURES = (
-    _procedure(
-        "Join",
-        texts(
-            "Waits until the team wants this robot.",
-            "Attend que l'équipe ait besoin de ce robot.",
-            "انتظار کرتا ہے کہ ٹیم کو اس روبوٹ کی ضرورت ہو۔",
-        ),
-    ),
-    _procedure(
-        "Enter",
-        texts(
-            "Asks whether this robot is one of those who do what follows.",
-            "Demande si ce robot est de ceux qui font la suite.",
-            "پوچھتا ہے کہ آگے کا کام کرنے والوں میں یہ روبوٹ ہے یا نہیں۔",
-        ),
-        _POINT,
-    ),
-    _procedure(
-        "Meet",
-        texts(
-            "Waits until all who come to this point are there.",
-            "Attend que tous ceux qui viennent à ce point soient là.",
-            "انتظار کرتا ہے کہ اس مقام پر آنے والے سب پہنچ جائیں۔",
-        ),
-        _POINT,
-    ),
-    _procedure(
-        "Ask",
-        texts(
-            "Gives this robot's answer, and waits for the answer of the team.",
-            "Donne la réponse de ce robot, et attend celle de l'équipe.",
-            "اس روبوٹ کا جواب دیتا ہے اور ٹیم کے جواب کا انتظار کرتا ہے۔",
-        ),
-        _POINT,
-        Parameter("answer", 0, 1, 0, ValueType.BOOLEAN),
-    ),
-    _procedure(
-        "Move",
-        texts(
-            "Waits until robots have gone over from one group to another.",
-            "Attend que des robots soient passés d'un groupe à un autre.",
-            "انتظار کرتا ہے کہ روبوٹ ایک گروہ سے دوسرے میں چلے جائیں۔",
-        ),
-        _POINT,
-    ),
-)
-_ANSWER = Method(
-    "Answer",
-    Kind.TEST,
-    test="equal",
-    to=1,
-    icon="users",
-    help=texts(
-        "Was the last answer of the team yes?",
-        "La dernière réponse de l'équipe était-elle oui ?",
-        "کیا ٹیم کا آخری جواب ہاں تھا؟",
-    ),
-)
+@cache
+def _procedures() -> tuple[Method, ...]:
+    answer = Parameter("answer", 0, 1, 0, ValueType.BOOLEAN)
+    parameters = {"Join": (), "Enter": (_POINT,), "Meet": (_POINT,), "Ask": (_POINT, answer), "Move": (_POINT,)}
+    return tuple(
+        worded(TEAM, Method(name, Kind.PROCEDURE, needed, completes_later=True, icon="users"))
+        for name, needed in parameters.items()
+    )
 
 
 def has_team(robot: Robot, works: Sequence[WorkDeclaration] = ()) -> bool:
@@ -110,16 +56,14 @@ def with_team(robot: Robot, works: Sequence[WorkDeclaration] = ()) -> Robot:
     """
     if has_team(robot, works):
         raise ValueError(f"{robot.name} has a part of the name {TEAM}, or of a work")
-    label = texts("Team", "Équipe", "ٹیم")
-    actuator = RobotObject(TEAM, Category.ACTUATOR, _PROCEDURES, device="team", model="team", icon="users", label=label)
-    sensor = RobotObject(
-        TEAM, Category.SENSOR, (_ANSWER,), device="team", model="team", maximum=1, icon="users", label=label
-    )
+    answer = worded(TEAM, Method("Answer", Kind.TEST, test="equal", to=1, icon="users"))
+    actuator = RobotObject(TEAM, Category.ACTUATOR, _procedures(), device="team", model="team", icon="users")
+    sensor = RobotObject(TEAM, Category.SENSOR, (answer,), device="team", model="team", maximum=1, icon="users")
     parts = [_work_parts(number, work) for number, work in enumerate(works)]
     return replace(
         robot,
-        actuators=(*robot.actuators, actuator, *(one for one, _ in parts)),
-        sensors=(*robot.sensors, sensor, *(other for _, other in parts)),
+        actuators=(*robot.actuators, worded(TEAM, actuator), *(one for one, _ in parts)),
+        sensors=(*robot.sensors, worded(TEAM, sensor), *(other for _, other in parts)),
     )
 
 

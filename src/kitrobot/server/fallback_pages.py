@@ -6,8 +6,8 @@ import html
 import re
 
 from kitrobot.text.sentences import Sentence
+from kitrobot.translation.languages import LANGUAGES
 from kitrobot.translation.reader_language import reader_language
-from kitrobot.translation.translator import DIRECTIONS
 from kitrobot.wire.sentences import spoken
 
 _PAGE = """<!doctype html>
@@ -37,7 +37,7 @@ def sentence(message: str, help: str) -> str:
     language = reader_language()
     return _PAGE.format(
         language=language,
-        direction=DIRECTIONS[language],
+        direction=LANGUAGES[language].direction,
         message=_words(spoken(message)),
         help=_words(spoken(help)),
     )

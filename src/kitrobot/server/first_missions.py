@@ -9,7 +9,7 @@ from kitrobot.files.examples import first_example
 from kitrobot.live.studio import Studio
 from kitrobot.server.routes.missions import mission
 from kitrobot.translation.reader_language import override_language
-from kitrobot.translation.translator import LANGUAGES
+from kitrobot.translation.languages import LANGUAGES
 
 
 def first_missions() -> dict[str, bytes]:

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 
-from kitrobot.translation.translator import ENGLISH, LANGUAGES, translate_to
+from kitrobot.translation.languages import ENGLISH, LANGUAGES
+from kitrobot.translation.translator import translate_to
 
 _reader: ContextVar[str] = ContextVar("reader", default=ENGLISH)
 

@@ -12,14 +12,8 @@ import re
 
 from kitrobot.text.sentences import HOLE, Label, Recorded, Sentence, Series, Word
 from kitrobot.translation.catalogue import Catalogue, catalogue
+from kitrobot.translation.languages import ENGLISH, LANGUAGES
 from kitrobot.translation.recorded import recalled
-
-ENGLISH = "en"
-DIRECTIONS = {ENGLISH: "ltr", "fr": "ltr", "ur": "rtl"}
-STOPS = {ENGLISH: ".", "fr": ".", "ur": "۔"}
-"""What ends a sentence."""
-LANGUAGES = tuple(DIRECTIONS)
-"""Languages that can be asked for."""
 
 DEEPEST = 20
 """Sentences in sentences that are translated; deeper ones stay English."""
@@ -87,5 +81,5 @@ def _value(value: object, language: str, depth: int) -> str:
     if len(text) > 2 and text[0] == text[-1] == "`" and "`" not in text[1:-1]:
         return f"`{catalogue(language).word('part', text[1:-1]) or text[1:-1]}`"
     if _NUMBER.fullmatch(text):
-        return text.replace(".", ",") if language == "fr" else text
-    return text if not text or DIRECTIONS[language] == "ltr" else f"\u2068{text}\u2069"
+        return text.replace(".", LANGUAGES[language].decimal)
+    return text if not text or LANGUAGES[language].direction == "ltr" else f"\u2068{text}\u2069"

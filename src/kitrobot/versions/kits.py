@@ -11,9 +11,7 @@ from dataclasses import fields
 from kitrobot.primitives.kit import Kit, KitPart
 from kitrobot.primitives.robot import Texts
 from kitrobot.text.sentences import Sentence, Word
-
-_LANGUAGES = {"": "English", "fr": "French", "ur": "Urdu"}
-"""Languages of texts, in words."""
+from kitrobot.translation.languages import ENGLISH, LANGUAGES
 
 _TEXTS = ("label", "help")
 _PARTS = (*_TEXTS, "parts", "measured", "place")
@@ -74,7 +72,8 @@ def _other_texts(before: Texts, after: Texts) -> Iterator[Word]:
     """The languages in which two texts are not the same."""
     for language in dict.fromkeys([*before, *after]):
         if before.get(language) != after.get(language):
-            yield Word(_LANGUAGES.get(language, language))
+            known = LANGUAGES.get(language or ENGLISH)
+            yield Word(language if known is None else known.english)
 
 
 def _settings(kind: str, name: str, before: Mapping[str, str], after: Mapping[str, str]) -> Iterator[tuple[str, str]]:

@@ -11,6 +11,7 @@ from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.constructors import Role, Slot
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.meaning import Meaning
+from kitrobot.primitives.own_xml import own_label
 from kitrobot.primitives.robot import (
     LAST_PLACE,
     Category,
@@ -140,6 +141,8 @@ class CatalogueShape(BaseModel):
     problems: list[ProblemShape]
     work: RobotObjectShape | None = None
     """What a work of a team can do and tell, without its name."""
+    own_label: Texts = Field(default_factory=dict)
+    """What stands over a mission's own constructors."""
 
 
 def catalogue_shape(catalogue: Catalogue) -> CatalogueShape:
@@ -148,6 +151,7 @@ def catalogue_shape(catalogue: Catalogue) -> CatalogueShape:
         groups=[GroupShape.model_validate(group) for group in catalogue.groups],
         robots=[_robot(robot) for robot in catalogue.robots.values()],
         work=RobotObjectShape.model_validate(work_object("", 0)),
+        own_label=own_label(),
         problems=problem_shapes(catalogue.problems),
     )
 

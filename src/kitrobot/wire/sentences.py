@@ -9,8 +9,8 @@ from pydantic import PlainSerializer, SkipValidation, ValidationError
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.text.sentences import Sentence, Series
+from kitrobot.translation.languages import LANGUAGES
 from kitrobot.translation.reader_language import reader_language, translate
-from kitrobot.translation.translator import STOPS
 
 
 def readable(words: str) -> str:
@@ -39,10 +39,10 @@ def _first_name(text: str, words: str) -> str:
 def spoken(words: str) -> str:
     """A message in the reader's language as a sentence of its own: a capital letter and a full stop."""
     text = clause(words)
-    return text and text[0].upper() + text[1:] + ("" if text[-1] in _ENDS else STOPS[reader_language()])
+    return text and text[0].upper() + text[1:] + ("" if text[-1] in _ENDS else LANGUAGES[reader_language()].stop)
 
 
-_ENDS = (*STOPS.values(), "?", "!", "؟")
+_ENDS = (*(language.stop for language in LANGUAGES.values()), "?", "!", "؟")
 
 FileName = Annotated[str, PlainSerializer(readable, return_type=str)]
 """A field for the name of a file on the disk, which the page shows."""

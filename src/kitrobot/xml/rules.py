@@ -65,7 +65,7 @@ UNKNOWN_LANGUAGE = rule(
     "xml-unknown-language",
     Severity.WARNING,
     "A text is in a language that is not spoken here",
-    "Texts are shown in English (`en`, or no `xml:lang`), French (`fr`) and Urdu (`ur`). One in another language is "
+    "Texts are shown in the languages of the page; without `xml:lang` they are English. One in another language is "
     "kept, and nobody is shown it.",
 )
 LONG_TEXT = rule(

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from kitrobot.text.phrases import one_of, shown
 from kitrobot.text.sentences import Sentence
-from kitrobot.translation.translator import ENGLISH, LANGUAGES
+from kitrobot.translation.languages import ENGLISH, LANGUAGES
 from kitrobot.xml import rules
 from kitrobot.xml.attributes import optional
 from kitrobot.xml.element import Element, Tag

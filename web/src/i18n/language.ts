@@ -6,7 +6,8 @@
  */
 import { create } from "zustand";
 
-import { bestLanguage, isLanguage, type Language, LANGUAGES, languageInUse, speak } from "./words";
+import { LANGUAGES } from "./languages";
+import { bestLanguage, isLanguage, type Language, languageInUse, speak } from "./words";
 
 const KEY = "kitrobot.language";
 

@@ -8,33 +8,32 @@
  */
 import type { EN } from "./en";
 import type { LATER_EN } from "./en-later";
+import { LANGUAGES } from "./languages";
 
 export type Key = keyof typeof EN | keyof typeof LATER_EN;
 export type Sentence = string | ({ other: string } & Partial<Record<Intl.LDMLPluralRule, string>>);
 export type Table = Readonly<Partial<Record<Key, Sentence>>>;
 type Holes = Readonly<Record<string, string | number>>;
 
-/** Languages with a table, by the name that their readers give them, and the way they run. */
-export const LANGUAGES = {
-  en: { name: "English", dir: "ltr" },
-  fr: { name: "Français", dir: "ltr" },
-  ur: { name: "اردو", dir: "rtl" },
-} as const;
-
 export type Language = keyof typeof LANGUAGES;
 
-const FETCH: Readonly<Record<Language, () => Promise<Table>>> = {
-  en: () => import("./en").then((chunk) => chunk.EN),
-  fr: () => import("./fr.po").then((chunk) => chunk.default),
-  ur: () => import("./ur.po").then((chunk) => chunk.default),
+type Fetch = Partial<Record<string, () => Promise<Table>>>;
+
+const FETCH: Fetch = {
+  ...import.meta.glob<Table>("./*.po", { import: "default" }),
+  "./en.po": () => import("./en").then((chunk) => chunk.EN),
 };
 
 /** Words of parts of the page that are fetched later, and come with them. */
-const FETCH_MORE: Readonly<Record<Language, () => Promise<Table>>> = {
-  en: () => import("./en-later").then((chunk) => chunk.LATER_EN),
-  fr: () => import("./fr.po?later").then((chunk) => chunk.default),
-  ur: () => import("./ur.po?later").then((chunk) => chunk.default),
+const FETCH_MORE: Fetch = {
+  ...import.meta.glob<Table>("./*.po", { import: "default", query: "?later" }),
+  "./en.po": () => import("./en-later").then((chunk) => chunk.LATER_EN),
 };
+
+/** The table of a language; an empty one where it has none. */
+async function fetched(tables: Fetch, wanted: Language): Promise<Table> {
+  return (await tables[`./${wanted}.po`]?.()) ?? {};
+}
 
 let language: Language = "en";
 /** Whether the words of parts that are fetched later are wanted. */
@@ -58,7 +57,7 @@ export function bestLanguage(wanted: readonly string[]): Language {
 /** Speaks that language from now on; when its words cannot be fetched, goes on as before. Gives the language in use. */
 export async function speak(wanted: Language): Promise<Language> {
   try {
-    const [words, others] = await Promise.all([FETCH[wanted](), more ? FETCH_MORE[wanted]() : {}]);
+    const [words, others] = await Promise.all([fetched(FETCH, wanted), more ? fetched(FETCH_MORE, wanted) : {}]);
     table = { ...words, ...others };
   } catch (cause) {
     if (table !== null) return language;
@@ -75,7 +74,7 @@ export async function speak(wanted: Language): Promise<Language> {
 export async function moreWords(): Promise<void> {
   if (more) return;
   const spoken = language;
-  const words = await FETCH_MORE[spoken]();
+  const words = await fetched(FETCH_MORE, spoken);
   more = true;
   if (language === spoken) table = { ...table, ...words };
   else await speak(language);

@@ -10,7 +10,6 @@ import type { Catalogue, Constructor, Group, Mission, OwnVariable, Robot } from 
 /** The name of the group that the mission's own constructors are in. */
 export const OWN_GROUP = "Own";
 
-const OWN_LABEL = { "": "My parts", fr: "Mes pièces", ur: "میرے پرزے" };
 const NO_CONSTRUCTORS: readonly Constructor[] = [];
 const NO_VARIABLES: readonly OwnVariable[] = [];
 
@@ -47,7 +46,7 @@ export function catalogueOf(files: Catalogue, mission: Mission): Catalogue {
     name: OWN_GROUP,
     colour: "action",
     icon: "package",
-    label: OWN_LABEL,
+    label: files.own_label ?? {},
     constructors: [...constructors],
   };
   return {

@@ -1,6 +1,7 @@
 /** Entries of a menu for how the page looks and which language it speaks. */
 import { useLanguage } from "../i18n/language";
-import { type Language, LANGUAGES, languageInUse, t } from "../i18n/words";
+import { LANGUAGES } from "../i18n/languages";
+import { type Language, languageInUse, t } from "../i18n/words";
 import { type ThemeChoice, useTheme } from "../theme";
 import { type MenuItem, menuRadio } from "./menu-model";
 
