@@ -282,7 +282,13 @@ export interface Breakpoint {
 export type BreakpointsRequest = { type: "breakpoints"; breakpoints: Breakpoint[] };
 
 /** Every word that programs can be made of, and what was wrong with the files that hold them. */
-export type Catalogue = { groups: Group[]; robots: Robot[]; problems: Problem[]; work?: RobotObject | null };
+export interface Catalogue {
+  groups: Group[];
+  robots: Robot[];
+  problems: Problem[];
+  work?: RobotObject | null;
+  own_label?: Record<string, string>;
+}
 
 /** What part of a robot an object is. */
 export type Category = "actuator" | "sensor" | "variable" | "system";

@@ -2,10 +2,7 @@ import { afterEach, describe, expect, it } from "vitest";
 
 import { EN as FIRST_EN } from "./en";
 import { LATER_EN } from "./en-later";
-import FR from "./fr.po";
-import FR_LATER from "./fr.po?later";
-import UR from "./ur.po";
-import UR_LATER from "./ur.po?later";
+import { LANGUAGES } from "./languages";
 import {
   bestLanguage,
   type Key,
@@ -49,14 +46,15 @@ it("finds the language of a dialect, and English for a language without a table"
   expect(languageInUse()).toBe("en");
 });
 
-const TABLES: [string, Table][] = [
-  ["French", { ...FR, ...FR_LATER }],
-  ["Urdu", { ...UR, ...UR_LATER }],
-];
+const FIRST = import.meta.glob<Table>("./*.po", { eager: true, import: "default" });
+const LATER = import.meta.glob<Table>("./*.po", { eager: true, import: "default", query: "?later" });
+const TABLES: [string, Table][] = Object.entries(LANGUAGES)
+  .filter(([code]) => code !== "en")
+  .map(([code, { name }]) => [name, { ...FIRST[`./${code}.po`], ...LATER[`./${code}.po`] }]);
 const EN = { ...FIRST_EN, ...LATER_EN };
 const keys = Object.keys(EN) as Key[];
 
-/** Sentences that are the same in another language: names, and words that French and English share. */
+/** Sentences that are the same in another language: names, and words that it shares with English. */
 const NAMES: Key[] = [
   "app.name",
   "arena.radio",
@@ -86,6 +84,19 @@ const NAMES: Key[] = [
   "members.who",
   "world.kind-zone",
   "world.rectangle",
+  "inspector.title",
+  "learn.tutorial",
+  "variable.menu",
+  "view.inspector",
+  "view.arena",
+  "problems.error",
+  "arena.title",
+  "roster.roles",
+  "team.agents",
+  "teacher.minutes",
+  "tutorial.of",
+  "sweep.robot",
+  "own.colour-test",
 ];
 
 function forms(sentence: Sentence): string[] {
@@ -99,11 +110,17 @@ function holes(sentence: Sentence): string[] {
 }
 
 it("has the words of what is fetched later once they are asked for, in every language", async () => {
-  expect(Object.keys(FR).filter((key) => key in FR_LATER)).toEqual([]);
+  for (const [file, first] of Object.entries(FIRST)) {
+    expect(Object.keys(first).filter((key) => key in (LATER[file] ?? {}))).toEqual([]);
+  }
   await moreWords();
   expect(t("roster.roles")).toBe("Roles");
   await speak("fr");
   expect(t("roster.roles")).toBe("Rôles");
+});
+
+it("has a catalogue for every language but English, and no other", () => {
+  expect(Object.keys(FIRST).map((file) => file.slice(2, -3))).toEqual(Object.keys(LANGUAGES).slice(1));
 });
 
 describe.each(TABLES)("%s", (_, table) => {
