@@ -64,7 +64,7 @@ def types() -> str:
 def languages() -> str:
     """The languages as the page has them."""
     head = """/**
- * Languages by the name that their readers give them, and the way they run. Those but English have a catalogue beside this file.
+ * Languages by the name that their readers give them, and the way they run.
  *
  * Written by `python tools/api_types.py` from the list in `src/kitrobot/translation/languages.py`: change that instead.
  */

@@ -18,8 +18,8 @@ from pathlib import Path
 from kitrobot.boards.kit_pictures import pin_name, wiring_picture
 from kitrobot.boards.kits import mission_on_kit
 from kitrobot.primitives.kit import CHIP_OF_V2, Kit, KitEvidence
-from kitrobot.workspace.kit_files import kits_at_hand
 from kitrobot.translation.languages import LANGUAGES, TRANSLATED
+from kitrobot.workspace.kit_files import kits_at_hand
 from kitrobot.workspace.mission_loader import open_mission
 from tools.kit_texts import page_in
 

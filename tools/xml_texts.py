@@ -3,9 +3,10 @@
     python tools/xml_texts.py LANGUAGE           writes those without a translation as a table: {"English": "", …}
     python tools/xml_texts.py LANGUAGE TABLE     puts the translations of the table (a JSON file) into the XML
 
-A text is an element of `TEXTS` without `xml:lang`; where a `<label>` has none, English readers see the `name` around it. Its
-translations follow it in the order of their codes, as KitRobot writes them. Nothing but the new elements changes in a file, and a
-translation that is there already stays: where one English text needs two translations, the second is written by hand.
+A text is an element of `TEXTS` without `xml:lang`; where a `<label>` has none, English readers see the `name` around
+it. Its translations follow it in the order of their codes, as KitRobot writes them. Nothing but the new elements
+changes in a file, and a translation that is there already stays: where one English text needs two translations, the
+second is written by hand.
 """
 
 from __future__ import annotations

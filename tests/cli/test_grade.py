@@ -16,6 +16,7 @@ from kitrobot.classroom.grade_tables import as_csv, as_html
 from kitrobot.classroom.grades import Grade
 from kitrobot.classroom.grading import MOST_BYTES, grade
 from kitrobot.mission.writer import write_mission
+from kitrobot.translation.languages import LANGUAGES
 from tests.exercises.handing_in import exercise_file, handed_in_file, submission
 from tests.exercises.solutions import SOLVED, WRONG
 
@@ -137,7 +138,7 @@ def test_an_exercise_with_a_mistake_is_said_with_its_place_before_anything_is_gr
 
 
 def test_what_comes_from_files_is_escaped_in_the_page_and_no_formula_in_the_spreadsheet() -> None:
-    told = dict.fromkeys(("en", "fr", "ur"), "<b>&")
+    told = dict.fromkeys(LANGUAGES, "<b>&")
     rows = [Grade("=cmd()<script>.krt", {}, problem=told)]
     assert "<script>" not in as_html(rows)
     assert "&lt;b&gt;&amp;" in as_html(rows)

@@ -60,6 +60,7 @@ from kitrobot.robots.names import BoardNames
 from kitrobot.robots.recording_context import RecordingContext
 from kitrobot.text.forms import name_form
 from kitrobot.trace.model import TracePart
+from kitrobot.translation.languages import TEXT_LANGUAGES
 from kitrobot.workspace.previews import Preview, preview_from, preview_text, read_previews
 from tests.effort import examples
 
@@ -77,7 +78,7 @@ XML = st.characters(codec="utf-8", exclude_categories=["Cc", "Cs"], exclude_char
 TEXTS = st.text(XML, min_size=1, max_size=12)
 NAMES = TEXTS.map(name_form)
 WORDS = TEXTS.map(lambda text: " ".join(text.split())).filter(bool)
-LANGUAGES = st.dictionaries(st.sampled_from(["", "fr", "ur"]), WORDS, max_size=3)
+LANGUAGES = st.dictionaries(st.sampled_from(TEXT_LANGUAGES), WORDS, max_size=3)
 
 
 # ---- a class

@@ -1,4 +1,4 @@
-"""Everything that is shipped speaks three languages: each part by name, in a sentence, and on its chip."""
+"""Everything that is shipped speaks each language: each part by name, in a sentence, and on its chip."""
 
 from __future__ import annotations
 
@@ -10,10 +10,11 @@ import pytest
 import kitrobot.world
 from kitrobot.primitives.catalogue import Catalogue, load_catalogue
 from kitrobot.primitives.robot import Category, SearchWords, Texts
+from kitrobot.translation.languages import TEXT_LANGUAGES, TRANSLATED
 from kitrobot.world.xml_reader import read_world
 
 WORLDS = sorted((Path(kitrobot.world.__file__).parent / "shipped").glob("*.xml"))
-ALL = {"", "fr", "ur"}
+ALL = set(TEXT_LANGUAGES)
 
 
 @pytest.fixture(scope="module")
@@ -38,7 +39,7 @@ def test_every_robot_object_method_and_parameter_has_a_label_and_a_help_in_each_
                 things.append((name, method.label, method.help))
                 things += [(f"{name} {one.name}", one.label, one.help) for one in method.parameters]
         # In English a part goes by its own name.
-        silent += [f"{robot.name}: {what}" for what, label, help in things if lacks(label, {"fr", "ur"})]
+        silent += [f"{robot.name}: {what}" for what, label, help in things if lacks(label, set(TRANSLATED))]
         silent += [f"{robot.name}: help of {what}" for what, _, help in things if lacks(help, ALL)]
     assert silent == []
 

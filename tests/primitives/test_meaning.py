@@ -12,6 +12,7 @@ from kitrobot.primitives.robot import Parameter
 from kitrobot.primitives.robot_xml import read_robot
 from kitrobot.primitives.value_format import format_value
 from kitrobot.sim.devices.display import IMAGES, SIDE
+from kitrobot.translation.languages import TEXT_LANGUAGES
 from tests.primitives.samples import messages, robot
 
 
@@ -185,7 +186,7 @@ def test_every_choice_and_unit_of_letters_that_is_shipped_speaks_each_language(c
             assert meaning is not None, where
             assert "ur" in meaning.units, where
         for choice in meaning.choices if meaning is not None else ():
-            assert {"", "fr", "ur"} <= choice.label.keys(), where
+            assert set(TEXT_LANGUAGES) <= choice.label.keys(), where
 
 
 @pytest.mark.parametrize(

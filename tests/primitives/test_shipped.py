@@ -14,6 +14,7 @@ from kitrobot.primitives.catalogue import Catalogue, load_catalogue
 from kitrobot.primitives.constructors import Group
 from kitrobot.primitives.levels import Level
 from kitrobot.primitives.robot import Robot
+from kitrobot.translation.languages import TEXT_LANGUAGES, TRANSLATED
 
 PRIMITIVES = Path(kitrobot.primitives.__file__).parent
 PACKAGE = PRIMITIVES.parent
@@ -124,15 +125,15 @@ def test_what_speaks_of_several_robots_stands_in_programs_of_teams_only(catalogu
     assert names[Level.GROUP] - names[Level.AGENT] == team
 
 
-def test_everything_about_constructors_is_said_in_three_languages(catalogue: Catalogue) -> None:
+def test_everything_about_constructors_is_said_in_each_language(catalogue: Catalogue) -> None:
     for group in catalogue.groups:
-        assert {"fr", "ur"} <= set(group.label)
+        assert set(TRANSLATED) <= set(group.label)
         for constructor in group.constructors:
-            assert {"", "fr", "ur"} <= set(constructor.help), constructor.name
-            assert {"fr", "ur"} <= set(constructor.label), constructor.name
+            assert set(TEXT_LANGUAGES) <= set(constructor.help), constructor.name
+            assert set(TRANSLATED) <= set(constructor.label), constructor.name
             assert constructor.icon
             for slot in constructor.slots:
-                assert {"", "fr", "ur"} <= set(slot.label), f"{constructor.name} {slot.name}"
+                assert set(TEXT_LANGUAGES) <= set(slot.label), f"{constructor.name} {slot.name}"
 
 
 def test_the_code_that_is_shown_is_the_template(catalogue: Catalogue) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from kitrobot.files.examples import examples_folder
+from kitrobot.translation.languages import TEXT_LANGUAGES
 from tests.server.conftest import SHORT, SOCKET, TOKEN
 from tests.server.test_missions import opened
 
@@ -119,12 +120,12 @@ class TestFiles:
         said = "The program `unload` has errors: `Nope` is not in the constructors’ XML."
         assert {fit["problem"].replace("'", "’") for fit in answer.json()} == {said}
 
-    def test_the_question_has_each_kit_in_three_languages_and_what_it_lacks_in_the_one_asked_for(self, page):
+    def test_the_question_has_each_kit_in_each_language_and_what_it_lacks_in_the_one_asked_for(self, page):
         kits = page.get("/api/kits", params={"path": "blink.krt"}).json()
         assert {
             kit["name"]
             for kit in kits
-            if {"", "fr", "ur"} - kit["label"].keys() | {"", "fr", "ur"} - kit["help"].keys()
+            if set(TEXT_LANGUAGES) - kit["label"].keys() | set(TEXT_LANGUAGES) - kit["help"].keys()
         } == set()
         mission = opened(page, "blink.krt")["mission"]
         vertices = mission["programs"][0]["vertices"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from kitrobot.translation.languages import TEXT_LANGUAGES
 from tests.primitives.samples import TUTORIAL
 
 FIRST = "example:tutorials/first-steps/first-steps.tutorial.xml"
@@ -26,15 +27,15 @@ def mission_of(page, path: str) -> dict:
     return mission
 
 
-def test_eleven_tutorials_come_along_in_three_languages_without_a_problem(page):
+def test_eleven_tutorials_come_along_in_each_language_without_a_problem(page):
     tutorials = listed(page)
     assert len(tutorials) == 11
     for tutorial in tutorials.values():
         assert tutorial["problems"] == []
-        assert {"", "fr", "ur"} == set(tutorial["label"]) == set(tutorial["help"])
+        assert set(TEXT_LANGUAGES) == set(tutorial["label"]) == set(tutorial["help"])
         for step in tutorial["steps"]:
-            assert {"", "fr", "ur"} == set(step["label"]) == set(step["help"])
-            assert set(step["hint"]) in ({"", "fr", "ur"}, set())
+            assert set(TEXT_LANGUAGES) == set(step["label"]) == set(step["help"])
+            assert set(step["hint"]) in (set(TEXT_LANGUAGES), set())
             assert step["asks"] or step["events"]
             assert step["points"]
 

@@ -6,6 +6,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 
+from kitrobot.translation.languages import TEXT_LANGUAGES
 from kitrobot.world.geometry import Corner, Pose
 from kitrobot.world.model import (
     COLOURS,
@@ -107,6 +108,6 @@ worlds = st.builds(
     ).map(tuple),
     balls=st.lists(st.builds(Ball, places, places, sizes, lengths, st.just(0.02)), max_size=2).map(tuple),
     zones=st.lists(zones, max_size=2).map(tuple),
-    label=st.dictionaries(st.sampled_from(["", "fr", "ur"]), names, max_size=2),
+    label=st.dictionaries(st.sampled_from(TEXT_LANGUAGES), names, max_size=2),
 )
 """Worlds whose parts may lie outside, cross, or name what is not there."""

@@ -1,4 +1,4 @@
-"""Everyone can work here: in three languages, one of them mirrored, by keyboard alone, and axe finds nothing."""
+"""Everyone can work here: in each language, one of them mirrored, by keyboard alone, and axe finds nothing."""
 
 from __future__ import annotations
 

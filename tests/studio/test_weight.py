@@ -10,6 +10,7 @@ import pytest
 from playwright.sync_api import Route, expect
 
 from kitrobot.primitives.catalogue import load_catalogue
+from kitrobot.translation.languages import TRANSLATED
 from kitrobot.wire.catalogue import catalogue_shape
 from tests.effort import cases
 from tests.studio.conftest import EXAMPLES, Studio
@@ -35,7 +36,7 @@ def fetched(studio: Studio) -> dict[str, int]:
 
 
 def none_comes_before_it_is_used(files: dict[str, int], language: str) -> None:
-    others = [f"/{one}-" for one in ("fr", "ur") if one != language]
+    others = [f"/{one}-" for one in TRANSLATED if one != language]
     later = ["/all-", "/more-", "/Sheets", "/Panel", "/editing", *others]
     assert [path for path in files if any(name in path for name in later)] == []
 

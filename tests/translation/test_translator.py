@@ -13,6 +13,7 @@ from kitrobot.text.phrases import one_of
 from kitrobot.text.sentences import COMMA, SEMICOLON, Label, Recorded, Sentence, Series, Word
 from kitrobot.translation import translator
 from kitrobot.translation.catalogue import Catalogue
+from kitrobot.translation.languages import TRANSLATED
 from kitrobot.translation.reader_language import best_language, override_language, reader_language, translate
 from kitrobot.translation.recorded import LONGEST, recalled
 from kitrobot.translation.translator import translate_to
@@ -168,7 +169,7 @@ def test_what_stays_english_is_set_apart_in_a_language_from_right_to_left() -> N
 
 @given(st.text(max_size=200), st.text(max_size=200))
 def test_whatever_a_name_holds_the_sentence_comes_out_whole(one: str, other: str) -> None:
-    for language in ("fr", "ur"):
+    for language in TRANSLATED:
         found = translate_to(Sentence("the robot `{robot}` has no `{object}`", one, other), language)
         assert found.count("`") >= 4
         assert translate_to(Recorded(f"touches {one}"), language)
@@ -190,7 +191,7 @@ def test_whatever_a_name_holds_the_sentence_comes_out_whole(one: str, other: str
 )
 def test_a_hostile_recording_is_bounded_work(hostile: str) -> None:
     began = time.thread_time()
-    for language in ("fr", "ur"):
+    for language in TRANSLATED:
         translate_to(Recorded(hostile), language)
     assert time.thread_time() - began < 2, "ten times what it takes"
 

@@ -8,6 +8,7 @@ from collections import deque
 import pytest
 import xmlschema
 
+from kitrobot.translation.languages import TEXT_LANGUAGES
 from kitrobot.world.floor_svg import floor_svg
 from kitrobot.world.maze import CELL_MM, MOST_CELLS, make_maze
 from kitrobot.world.model import World, Zone
@@ -139,13 +140,13 @@ def test_the_same_seed_makes_the_same_maze_and_another_one_another() -> None:
 
 
 @pytest.mark.parametrize("name", TEMPLATES)
-def test_a_template_has_no_mistake_a_start_and_words_in_three_languages(name: str) -> None:
+def test_a_template_has_no_mistake_a_start_and_words_in_each_language(name: str) -> None:
     world = TEMPLATES[name](3)
     again, problems = read_world(write_world(world), name)
     assert problems == []
     assert again == world
     assert world.starts
-    assert set(world.label) == set(world.help) == {"", "fr", "ur"}
+    assert set(world.label) == set(world.help) == set(TEXT_LANGUAGES)
 
 
 def test_a_floor_is_drawn_as_svg_with_y_down() -> None:

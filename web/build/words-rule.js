@@ -9,7 +9,7 @@ const CODE = new Set(["code", "kbd", "pre", "style"]);
 export const spokenWords = {
   meta: {
     type: "problem",
-    messages: { said: "Say this with t(…) from i18n: it is read in three languages." },
+    messages: { said: "Say this with t(…) from i18n: it is read in each language." },
     schema: [],
   },
   create(context) {

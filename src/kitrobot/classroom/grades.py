@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any, Final
 
-from kitrobot.translation.reader_language import override_language, translate
 from kitrobot.translation.languages import LANGUAGES
+from kitrobot.translation.reader_language import override_language, translate
 
 LONGEST_TEXT: Final = 500
 """Characters of one sentence in a row."""

@@ -17,8 +17,8 @@ from pathlib import Path
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.disk import make_folder, write_atomic
 from kitrobot.text.sentences import Sentence
-from kitrobot.translation.reader_language import override_language, translate
 from kitrobot.translation.languages import ENGLISH, LANGUAGES
+from kitrobot.translation.reader_language import override_language, translate
 
 COMMENT = Sentence("Draw programs for small robots, and run them")
 MISSION = Sentence("KitRobot mission")

@@ -1,4 +1,4 @@
-"""The words of what nobody writes in a robot's XML: `automatic.xml` beside this module, in the form of other XML of parts.
+"""The words of what nobody writes in a robot's XML: `automatic.xml` beside this module, in the form of parts' XML.
 
 Left to others: what these parts do (automatic, team_objects).
 """
@@ -60,7 +60,8 @@ def _read() -> Mapping[tuple[str, str], _Words]:
     """By part and by what it can do, "" for the part itself."""
     reader = Reader((files("kitrobot.primitives") / _FILE).read_bytes(), _FILE)
     root = reader.read({"parts": Tag(children={"part": _PART})})
-    assert root is not None and not reader.diagnostics, reader.diagnostics
+    assert root is not None
+    assert not reader.diagnostics, reader.diagnostics
     made: dict[tuple[str, str], _Words] = {}
     for part in root.found(Element):
         made[part.matching("name"), ""] = _words(part)

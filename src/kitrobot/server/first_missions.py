@@ -8,8 +8,8 @@ from pathlib import Path
 from kitrobot.files.examples import first_example
 from kitrobot.live.studio import Studio
 from kitrobot.server.routes.missions import mission
-from kitrobot.translation.reader_language import override_language
 from kitrobot.translation.languages import LANGUAGES
+from kitrobot.translation.reader_language import override_language
 
 
 def first_missions() -> dict[str, bytes]:
