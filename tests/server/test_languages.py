@@ -6,6 +6,7 @@ import json
 
 import pytest
 
+from kitrobot.translation.languages import TRANSLATED
 from tests.server.conftest import SOCKET, TOKEN
 
 FRENCH = {"Accept-Language": "fr-CA,en;q=0.5"}
@@ -76,6 +77,17 @@ def test_a_run_ends_in_the_language_of_its_socket(page, language, sentence):
             if message.get("type") == "state" and message["status"] != "running":
                 break
     assert (message["status"], message["sentence"]) == ("done", sentence)
+
+
+@pytest.mark.parametrize(("language", "label"), [("es", "Ruedas"), ("pt", "Rodas"), ("ur", "پہیے"), ("en", None)])
+def test_parts_come_with_the_words_of_the_reader_and_the_english_ones_alone(page, language, label):
+    asked = {"params": {"path": "blink.krt"}, "headers": {"Accept-Language": language}}
+    catalogue = page.get("/api/catalogue", **asked).json()["catalogue"]
+    wheel = next(part for robot in catalogue["robots"] for part in robot["objects"] if part["name"] == "Wheel")
+    assert wheel["label"].get(language) == label
+    said = json.dumps(catalogue)
+    assert not any(f'"{other}":' in said for other in TRANSLATED if other != language)
+    assert '"": "' in said
 
 
 def test_who_has_no_token_is_told_so_in_the_language_of_the_browser(stranger):

@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import Route, expect
 
 from kitrobot.primitives.catalogue import load_catalogue
-from kitrobot.translation.languages import TRANSLATED
+from kitrobot.translation.languages import ENGLISH, TRANSLATED
 from kitrobot.wire.catalogue import catalogue_shape
 from tests.effort import cases
 from tests.studio.conftest import EXAMPLES, Studio
@@ -82,7 +82,7 @@ def test_every_icon_of_what_ships_travels_with_the_page() -> None:
     theme = Path(__file__).parents[2] / "web" / "src" / "theme"
     sets = [(theme / name).read_text(encoding="utf-8") for name in ("icons.lucide", "more.lucide")]
     travels = {name for one in sets for name in re.sub("(?m)^#.*$", "", one).split()}
-    shipped = catalogue_shape(load_catalogue()).model_dump_json()
+    shipped = catalogue_shape(load_catalogue(), ENGLISH).model_dump_json()
     named = set(re.findall(r'"icon":"([a-z0-9-]+)"', shipped))
     lessons = [path.read_text(encoding="utf-8") for path in EXAMPLES.rglob("*.xml")]
     named |= {name for text in lessons for name in re.findall(r'icon="([a-z0-9-]+)"', text)}

@@ -27,6 +27,7 @@ from kitrobot.live.robot_registry import RobotRegistry
 from kitrobot.live.watched_run import WatchedRun
 from kitrobot.mission.model import Mission
 from kitrobot.primitives.catalogue import SHIPPED, Catalogue, load_catalogue
+from kitrobot.translation.reader_language import reader_language
 from kitrobot.user_folders import config_folder
 from kitrobot.wire.catalogue import CatalogueShape, catalogue_shape
 from kitrobot.workspace.compile_cache import CompileCache
@@ -52,10 +53,13 @@ class CachedCatalogue:
     def __init__(self, stamp: Stamp, catalogue: Catalogue) -> None:
         self.stamp = stamp
         self.catalogue = catalogue
+        self._shapes: dict[str, CatalogueShape] = {}
 
-    @cached_property
-    def shape(self) -> CatalogueShape:
-        return catalogue_shape(self.catalogue)
+    def shape(self, language: str) -> CatalogueShape:
+        """As it travels to a reader of that language; made once."""
+        if language not in self._shapes:
+            self._shapes[language] = catalogue_shape(self.catalogue, language)
+        return self._shapes[language]
 
 
 class Studio:
@@ -118,8 +122,8 @@ class Studio:
         return self._parts(path).catalogue
 
     def catalogue_shape(self, path: str) -> CatalogueShape:
-        """As `catalogue`, as it travels."""
-        return self._parts(path).shape
+        """As `catalogue`, as it travels to the reader of this request."""
+        return self._parts(path).shape(reader_language())
 
     def _parts(self, path: str) -> CachedCatalogue:
         folders = self.folder.folders_of(path)

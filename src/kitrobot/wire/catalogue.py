@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from collections.abc import Mapping, Sequence
+from dataclasses import fields, is_dataclass, replace
+from typing import Annotated, Any, Literal, TypeVar
 
 from pydantic import BaseModel, Field
 
@@ -26,6 +28,8 @@ from kitrobot.sim.devices import DisplayKind, ManualControl
 from kitrobot.sim.setup.settings import appearance_of, length_of
 from kitrobot.wire.problem import ProblemShape, problem_shapes
 from kitrobot.wire.values import Least, Most, Row, View, WireFields
+
+T = TypeVar("T")
 
 Colour = Literal["loop", "choice", "parallel", "action", "test", "team"]
 
@@ -145,15 +149,40 @@ class CatalogueShape(BaseModel):
     """What stands over a mission's own constructors."""
 
 
-def catalogue_shape(catalogue: Catalogue) -> CatalogueShape:
-    """The catalogue as it travels."""
+def catalogue_shape(catalogue: Catalogue, language: str) -> CatalogueShape:
+    """The catalogue as it travels to a reader of that language: with those texts and the English ones alone."""
+    kept = ("", language)
     return CatalogueShape(
-        groups=[GroupShape.model_validate(group) for group in catalogue.groups],
-        robots=[_robot(robot) for robot in catalogue.robots.values()],
-        work=RobotObjectShape.model_validate(work_object("", 0)),
-        own_label=own_label(),
+        groups=[GroupShape.model_validate(_in_languages(group, kept)) for group in catalogue.groups],
+        robots=[_robot(_in_languages(robot, kept)) for robot in catalogue.robots.values()],
+        work=RobotObjectShape.model_validate(_in_languages(work_object("", 0), kept)),
+        own_label=_only(own_label(), kept),
         problems=problem_shapes(catalogue.problems),
     )
+
+
+_TEXTS = frozenset({"label", "help", "phrase", "words", "units"})
+"""Fields that hold something for each language."""
+
+
+def _only(texts: Mapping[str, T], languages: Sequence[str]) -> Mapping[str, T]:
+    return {language: texts[language] for language in languages if language in texts}
+
+
+def _in_languages(value: T, languages: Sequence[str]) -> T:
+    """A part of the catalogue with the texts of those languages alone, in all that it is made of."""
+    if isinstance(value, tuple):
+        made: Any = tuple(_in_languages(one, languages) for one in value)
+        return made if type(value) is tuple else value
+    if not is_dataclass(value) or isinstance(value, type):
+        return value
+    inside = {field.name: getattr(value, field.name) for field in fields(value) if field.init}
+    changed = {
+        name: _only(one, languages) if name in _TEXTS else _in_languages(one, languages)
+        for name, one in inside.items()
+        if isinstance(one, tuple | Mapping) or is_dataclass(one)
+    }
+    return replace(value, **changed)
 
 
 def _robot(robot: Robot) -> RobotShape:

@@ -9,6 +9,7 @@ import { create } from "zustand";
 
 import { partsApi } from "../api/parts";
 import type { News } from "../api/watch";
+import { useLanguage } from "../i18n/language";
 import { OWN_WORLD, sameWorld } from "../model/commands/changeWorld";
 import { useStudio } from "../model/studio";
 import type { World } from "../model/types";
@@ -35,6 +36,11 @@ export function holdParts(stamp: string): void {
   worlds.set(keyOf(file.path, worldOf), world);
   followWorld();
 }
+
+/** Parts come with the words of one language. */
+useLanguage.subscribe(({ language }, before) => {
+  if (language !== before.language && held !== null) void readParts();
+});
 
 export function hearOfParts({ path, parts }: News): void {
   if (parts === "" || held === null || parts === held || path !== useStudio.getState().file.path) return;
