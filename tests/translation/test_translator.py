@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from kitrobot.text.phrases import one_of
 from kitrobot.text.sentences import COMMA, SEMICOLON, Label, Recorded, Sentence, Series, Word
 from kitrobot.translation import translator
-from kitrobot.translation.catalogue import Catalogue
+from kitrobot.translation.catalogue import Catalogue, catalogue
 from kitrobot.translation.languages import TRANSLATED
 from kitrobot.translation.reader_language import best_language, override_language, reader_language, translate
 from kitrobot.translation.recorded import LONGEST, recalled
@@ -194,6 +194,10 @@ def test_a_hostile_recording_is_bounded_work(hostile: str) -> None:
     for language in TRANSLATED:
         translate_to(Recorded(hostile), language)
     assert time.thread_time() - began < 2, "ten times what it takes"
+
+
+def test_a_language_says_english_while_its_catalogue_is_not_there() -> None:
+    assert catalogue("tlh").template(Sentence("the program has ended")) is None
 
 
 def test_what_is_longer_than_any_sentence_is_not_looked_for(french: Catalogue) -> None:

@@ -8,6 +8,7 @@ import lzma
 import re
 import tarfile
 import zipfile
+import zlib
 from pathlib import Path
 
 import pytest
@@ -18,7 +19,8 @@ from kitrobot.packaging.site_packer import packed
 from kitrobot.packaging.site_parts import PYODIDE, WHEEL_TAGS, SiteError
 from kitrobot.server.first_missions import first_missions
 from kitrobot.server.security import CONTENT_POLICY
-from kitrobot.translation.languages import LANGUAGES
+from kitrobot.translation.catalogue import Catalogue, catalogue
+from kitrobot.translation.languages import LANGUAGES, TRANSLATED
 from tests.effort import THOROUGH
 from tests.sites import made_site, quickly_packed
 from tools.site_parts import PARTS, ROOT
@@ -26,6 +28,10 @@ from tools.site_parts import PARTS, ROOT
 MOST_OF_PYTHON = 6_650_000 if THOROUGH else 8_030_000
 """Bytes that Python may be as it lies in the folder, so that what is too much is noticed: as it is shipped, and as it
 is packed here (`tests.sites`)."""
+
+
+MOST_OF_WORDS = 110_000
+"""Bytes of the sentences of one language, which come once somebody reads it."""
 
 
 def pyodide_of(version: str, folder: Path) -> Path:
@@ -113,6 +119,7 @@ def test_the_folder_is_whole_and_no_order_date_or_owner_of_the_machine_is_in_it(
         entries = archive.getmembers()
         exercises = [archive.extractfile(one) for one in entries if one.name.endswith(".exercise.xml")]
         texts = [one.read() for one in exercises if one is not None]
+    assert not any(one.name.endswith(".po") for one in entries)
     assert len(texts) == 12
     assert not any(b"hidden" in one for one in texts)
     assert [one.name for one in entries] == sorted(one.name for one in entries)
@@ -139,6 +146,12 @@ def test_the_folder_is_whole_and_no_order_date_or_owner_of_the_machine_is_in_it(
         assert first["path"] == "example:transport/transport.krt"
         assert first["mission"]["programs"][0]["vertices"]
         assert not re.search(rb"/(tmp|home|root|work)/", files[f"first/{language}.json"])
+    assert list(told["words"]) == list(TRANSLATED)
+    for language, name in told["words"].items():
+        words = Catalogue(zlib.decompress(files[f"words/{language}.po.zlib"]).decode())
+        assert name == f"kitrobot/translation/{language}.po"
+        assert words.entries == catalogue(language).entries
+        assert len(files[f"words/{language}.po.zlib"]) < MOST_OF_WORDS
     for library in told["libraries"].values():
         assert lzma.decompress(files[f"{library}.packed"]).startswith(b"\0asm")
     assert sum(told["files"].values()) < MOST_OF_PYTHON

@@ -23,7 +23,7 @@ from typing import Final
 
 from kitrobot import __version__
 from kitrobot.packaging.site_firmware import FIRMWARE_ARCHIVE, firmware_archive
-from kitrobot.packaging.site_packages import packages
+from kitrobot.packaging.site_packages import catalogues, packages
 from kitrobot.packaging.site_packer import PACKED, packed
 from kitrobot.packaging.site_parts import LARGE, LIBRARY, LOCK, PYTHON, RUNTIME, SiteError, find_parts
 from kitrobot.packaging.site_sources import in_library, without_texts
@@ -77,6 +77,8 @@ def make_site(
         if path.is_file() and path.suffix not in (".br", ".gz") and not path.name.startswith("."):
             files[path.relative_to(page).as_posix()] = path.read_bytes()
     files |= first
+    words = catalogues()
+    files |= {f"words/{Path(name).name}.zlib": data for name, data in words.items()}
     files[FIRMWARE_ARCHIVE] = firmware_archive()
     files["index.html"] = _index(index.read_text(encoding="utf-8"))
     manifest = {
@@ -84,6 +86,7 @@ def make_site(
         "version": version,
         "pyodide": "pyodide/",
         "packages": "python",
+        "words": {Path(name).stem: name for name in words},
         "libraries": {name: Path(name).name for name in libraries},
         "place": f"/lib/python{PYTHON}/site-packages",
         "files": python,

@@ -10,6 +10,7 @@ import io
 import re
 import tarfile
 import zipfile
+import zlib
 from collections.abc import Iterator
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
@@ -43,6 +44,8 @@ _NOT_USED: Final = (
 _ABOUT: Final = ("licen", "copying", "notice", "/metadata", "/entry_points.txt")
 """What is taken of what a package says of itself: licences, and what packages look one another up by."""
 _METADATA: Final = ".dist-info/METADATA"
+CATALOGUE: Final = ".po"
+"""The ending of a catalogue of translations."""
 _COMMENT: Final = re.compile(rb"^#.*\n", re.MULTILINE)
 """Of a catalogue of translations: where a sentence stands in the sources."""
 
@@ -53,6 +56,7 @@ def packages(wheel: Path) -> tuple[bytes, dict[str, bytes]]:
     The page compiles libraries before Python is there, and Python reads none of their bytes.
     """
     files = dict(_own()) | dict(_installed()) | dict(_in_wheel(wheel))
+    files = {name: data for name, data in files.items() if not name.endswith(CATALOGUE)}
     libraries = {name: files.pop(name) for name in sorted(files) if name.endswith(".so")}
     made = io.BytesIO()
     with tarfile.open(fileobj=made, mode="w", format=tarfile.USTAR_FORMAT) as archive:
@@ -60,8 +64,6 @@ def packages(wheel: Path) -> tuple[bytes, dict[str, bytes]]:
             # What is put onto boards goes there as it is.
             if name.endswith(".py") and not name.startswith(_ONBOARD):
                 data = without_texts(data)
-            elif name.endswith(".po"):
-                data = _COMMENT.sub(b"", data)
             elif name.endswith(EXERCISE_ENDING):
                 # Whoever grades has the exercises; a page is for pupils.
                 data = remove_hidden_parts(data, name)
@@ -69,6 +71,15 @@ def packages(wheel: Path) -> tuple[bytes, dict[str, bytes]]:
             about.size = len(data)
             archive.addfile(about, io.BytesIO(data))
     return made.getvalue(), libraries
+
+
+def catalogues() -> dict[str, bytes]:
+    """The sentences in each language, by the names of their files in the package, packed (zlib): the page fetches those
+    of the language that its reader asks for.
+    """
+    found = dict(_below(_ROOT / "kitrobot" / "translation", "kitrobot/translation"))
+    texts = {name: _COMMENT.sub(b"", data) for name, data in found.items() if name.endswith(CATALOGUE)}
+    return {name: zlib.compress(data, 9) for name, data in sorted(texts.items())}
 
 
 def _own() -> Iterator[tuple[str, bytes]]:

@@ -46,9 +46,16 @@ class Catalogue:
         return None if forms is None else forms[0]
 
 
-@cache
 def catalogue(language: str) -> Catalogue:
-    """The catalogue of a language."""
+    """The catalogue of a language; one without entries while its file is not there: a static site brings it later."""
+    try:
+        return _read(language)
+    except FileNotFoundError:
+        return _NONE
+
+
+@cache
+def _read(language: str) -> Catalogue:
     return Catalogue((files("kitrobot.translation") / f"{language}.po").read_text(encoding="utf-8"))
 
 
@@ -67,3 +74,6 @@ def _entries(text: str) -> Iterator[dict[str, str]]:
             entry = {}
     if entry:
         yield entry
+
+
+_NONE = Catalogue('msgid ""\nmsgstr "Plural-Forms: nplurals=1; plural=0;"\n')

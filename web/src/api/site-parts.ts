@@ -6,6 +6,8 @@ export interface Parts {
   packages: string;
   /** Compiled libraries: their names among the packages, and the files that hold them. */
   libraries: Record<string, string>;
+  /** Languages with sentences of their own: the file among the packages that holds them. */
+  words: Record<string, string>;
   /** Where packages belong in Pyodide. */
   place: string;
   /** Files that Python needs, with their sizes as they travel. */

@@ -4,7 +4,7 @@
  * The folder of missions lies in the browser's storage and is written after each request that may have changed something; a
  * save is answered once it is kept. One worker at a time has it (`open`).
  *
- * Left to others: fetching (`fetching`), starting Python (`python`, `memory`), the storage (`kept`).
+ * Left to others: fetching (`fetching`, `words`), starting Python (`python`, `memory`), the storage (`kept`).
  */
 import { homeOf } from "../api/home";
 import { Fetching, UnfetchedError } from "./fetching";
@@ -12,6 +12,7 @@ import { Kept } from "./kept";
 import { forgetMemory, KeptMemory, type Memory } from "./memory";
 import type { FromWorker, ToWorker } from "./messages";
 import { startPython } from "./python";
+import { Words } from "./words";
 
 interface Socket {
   say: (words: string | Uint8Array<ArrayBuffer>) => void;
@@ -57,6 +58,8 @@ async function load({ base, parts, unpacker, pupil }: Beginning): Promise<Studio
       // Before Python does more: what is kept is given back then, a third of what a run would have beside it.
       if (started.memory !== null) await kept.keep(started.memory);
       keep = new Kept(started.pyodide, home, tell, () => forgetMemory(base));
+      const write = (name: string, bytes: Uint8Array) => started.pyodide.FS.writeFile(`${parts.place}/${name}`, bytes);
+      words = new Words(base, parts.words, write);
       await keep.read();
       const { begin_here } = started.pyodide.pyimport(MODULES) as {
         begin_here: (folder: string, inClass: boolean) => Promise<Studio>;
@@ -80,6 +83,7 @@ async function load({ base, parts, unpacker, pupil }: Beginning): Promise<Studio
 }
 
 let keep: Kept | null = null;
+let words: Words | null = null;
 const sockets = new Map<number, Socket>();
 let studio: Promise<Studio> | null = null;
 
@@ -87,7 +91,9 @@ async function answer(message: ToWorker & { kind: "fetch" }): Promise<void> {
   const { id, method, address, headers, body } = message;
   try {
     const bytes = typeof body === "string" ? new TextEncoder().encode(body) : new Uint8Array(body ?? []);
-    const [status, told, made] = await (await ready()).fetch(method, address, headers, bytes);
+    const python = await ready();
+    await words?.have(headers["Accept-Language"] ?? "");
+    const [status, told, made] = await python.fetch(method, address, headers, bytes);
     if (method === "PUT") await keep?.write();
     else if (method !== "GET" && !ASKS.test(address)) void keep?.write();
     tell({ kind: "answer", id, status, headers: told, body: made.buffer }, [made.buffer]);
@@ -112,7 +118,9 @@ async function open({ id, address }: ToWorker & { kind: "open" }): Promise<void>
     }
   };
   try {
-    sockets.set(id, (await ready()).open(address, heard));
+    const python = await ready();
+    await words?.have(new URL(address, "http://python/").searchParams.get("language") ?? "");
+    sockets.set(id, python.open(address, heard));
     tell({ kind: "opened", id });
   } catch {
     tell({ kind: "closed", id });
