@@ -1,5 +1,5 @@
 /**
- * Languages by the name that their readers give them, and the way they run. Those but English have a catalogue beside this file.
+ * Languages by the name that their readers give them, and the way they run.
  *
  * Written by `python tools/api_types.py` from the list in `src/kitrobot/translation/languages.py`: change that instead.
  */
