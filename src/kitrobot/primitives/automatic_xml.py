@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 from importlib.resources import files
-from typing import NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 from kitrobot.primitives.attribute_kinds import IDENTIFIER
 from kitrobot.primitives.palette_xml import WORD, search_words
@@ -31,11 +31,12 @@ def part_texts(part: str, name: str = "") -> Mapping[str, Texts]:
 
 def worded(part: str, made: Named) -> Named:
     """A method, a parameter or an object with the words that the file has for it in that part."""
-    words = _read()[part, "" if isinstance(made, RobotObject) else made.name]
-    found = replace(made, label=words.texts.get("label", made.label), help=words.texts.get("help", made.help))
-    if isinstance(found, Method):
-        return replace(found, phrase=words.texts.get("phrase", found.phrase), words=words.search)
-    return found
+    either: Method | Parameter | RobotObject = made
+    words = _read()[part, "" if isinstance(either, RobotObject) else either.name]
+    found: dict[str, Any] = dict(words.texts)
+    if isinstance(either, Method):
+        found["words"] = words.search
+    return replace(made, **found)
 
 
 class _Words(NamedTuple):
