@@ -6,8 +6,10 @@ from pathlib import Path
 
 from playwright.sync_api import Page, expect
 
+from kitrobot.translation.languages import TRANSLATED
 from tests.effort import THOROUGH
 from tests.studio.studio_page import Studio
+from tools.sentences import CATALOGUE_SETS, entries
 
 AXE = Path(__file__).resolve().parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"
 
@@ -44,7 +46,9 @@ FIND = f"""async ([everyTheme, within]) => {{
 }}"""
 
 
-RUN = {"en": "Run", "fr": "Lancer", "ur": "چلائیں"}
+RUN = {"en": "Run"} | {
+    language: entries(CATALOGUE_SETS["page"].catalogue(language))["run.run", "Run"].string for language in TRANSLATED
+}
 CUT_OFF = """() => [...document.querySelectorAll(
     '.menubar-title, .palette-name, .vertex-name, .chip-words, .run-button, .side-tab, .tab-name, h2, .team-stop'
 )].filter(one => one.offsetParent !== null && one.scrollWidth > one.clientWidth + 1

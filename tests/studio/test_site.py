@@ -18,6 +18,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.studio.conftest import Studio
+from tests.studio.looks import choose
 from tests.studio.sites import BLINK, MEMORY, FileServer, Visit, follow_link, link, wait_for_python
 
 pytestmark = [pytest.mark.browser, pytest.mark.site]
@@ -91,6 +92,15 @@ def a_second_tab_waits_and_goes_on_once_the_first_goes_to_the_new_version(studio
     return Studio(second, Path(), [])
 
 
+def python_speaks_the_language_that_is_chosen(studio: Studio) -> None:
+    choose(studio, "es")
+    studio.edit_code()
+    studio.page.keyboard.press("Control+Home")
+    studio.page.keyboard.type("Foo.Bar();")
+    studio.at("problems").click()
+    expect(studio.page.locator(".problem").first).to_contain_text("no tiene")
+
+
 def test_a_site_opens_a_link_keeps_what_is_saved_and_works_without_its_server(
     server: FileServer, visit: Callable[..., Visit]
 ) -> None:
@@ -110,4 +120,5 @@ def test_a_site_opens_a_link_keeps_what_is_saved_and_works_without_its_server(
     studio.expect_code("WAIT(10);")
     studio.page.evaluate("location.hash = 'mission=AAAA&name=x'")
     expect(studio.at("banner")).to_contain_text("The mission in this link is damaged.")
+    python_speaks_the_language_that_is_chosen(studio)
     assert made.warned == []

@@ -30,6 +30,11 @@ interface Studio {
   open: (address: string, heard: (words: string | Uint8Array<ArrayBuffer> | undefined) => void) => Socket;
 }
 
+/** What is used of Emscripten's file system. */
+interface Files {
+  writeFile: (path: string, bytes: Uint8Array) => void;
+}
+
 type Beginning = ToWorker & { kind: "begin" };
 
 /** What is imported before the folder of missions is there. */
@@ -58,8 +63,8 @@ async function load({ base, parts, unpacker, pupil }: Beginning): Promise<Studio
       // Before Python does more: what is kept is given back then, a third of what a run would have beside it.
       if (started.memory !== null) await kept.keep(started.memory);
       keep = new Kept(started.pyodide, home, tell, () => forgetMemory(base));
-      const write = (name: string, bytes: Uint8Array) => started.pyodide.FS.writeFile(`${parts.place}/${name}`, bytes);
-      words = new Words(base, parts.words, write);
+      const files = started.pyodide.FS as unknown as Files;
+      words = new Words(base, parts.words, (name, bytes) => files.writeFile(`${parts.place}/${name}`, bytes));
       await keep.read();
       const { begin_here } = started.pyodide.pyimport(MODULES) as {
         begin_here: (folder: string, inClass: boolean) => Promise<Studio>;
