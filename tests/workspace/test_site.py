@@ -25,7 +25,7 @@ from tests.effort import THOROUGH
 from tests.sites import made_site, quickly_packed
 from tools.site_parts import PARTS, ROOT
 
-MOST_OF_PYTHON = 6_650_000 if THOROUGH else 8_030_000
+MOST_OF_PYTHON = 6_650_000 if THOROUGH else 7_930_000
 """Bytes that Python may be as it lies in the folder, so that what is too much is noticed: as it is shipped, and as it
 is packed here (`tests.sites`)."""
 

@@ -5,8 +5,12 @@ import { Words } from "./words";
 const FILES = { fr: "kitrobot/translation/fr.po" };
 
 async function packed(text: string): Promise<Response> {
-  const stream = new Blob([text]).stream().pipeThrough(new CompressionStream("deflate"));
-  return new Response(await new Response(stream).arrayBuffer());
+  const stream = new CompressionStream("deflate");
+  const writer = stream.writable.getWriter();
+  const written = writer.write(new TextEncoder().encode(text)).then(() => writer.close());
+  const bytes = await new Response(stream.readable).arrayBuffer();
+  await written;
+  return new Response(bytes);
 }
 
 /** What is fetched, by what answers. */
