@@ -49,7 +49,7 @@ def secure_address(address: str, help: str) -> str:
     shown = html.escape(address)
     return _PAGE.format(
         language=language,
-        direction=DIRECTIONS[language],
+        direction=LANGUAGES[language].direction,
         message=_words(spoken(Sentence("The class is at {address}", "{address}"))).replace(
             "{address}", f'<a href="{shown}"><bdi>{shown}</bdi></a>'
         ),
