@@ -133,6 +133,7 @@ class CatalogueSet:
             for key, one in wanted.items()
             if key not in known or known[key].id != one.id or not all(forms(known[key]))
         ]
+        lacking += [key for key, one in known.items() if key[0] in self.by_hand and not all(forms(one) or ("",))]
         return lacking, [key for key in known if key not in wanted and key[0] not in self.by_hand]
 
     def update(self, language: str) -> None:

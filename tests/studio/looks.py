@@ -9,7 +9,7 @@ from playwright.sync_api import Page, expect
 from kitrobot.translation.languages import TRANSLATED
 from tests.effort import THOROUGH
 from tests.studio.studio_page import Studio
-from tools.sentences import CATALOGUE_SETS, entries
+from tools.sentences import CATALOGUE_SETS, entries, forms
 
 AXE = Path(__file__).resolve().parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"
 
@@ -47,7 +47,7 @@ FIND = f"""async ([everyTheme, within]) => {{
 
 
 RUN = {"en": "Run"} | {
-    language: entries(CATALOGUE_SETS["page"].catalogue(language))["run.run", "Run"].string for language in TRANSLATED
+    language: forms(entries(CATALOGUE_SETS["page"].catalogue(language))["run.run", "Run"])[0] for language in TRANSLATED
 }
 CUT_OFF = """() => [...document.querySelectorAll(
     '.menubar-title, .palette-name, .vertex-name, .chip-words, .run-button, .side-tab, .tab-name, h2, .team-stop'

@@ -176,11 +176,9 @@ def _in_languages(value: T, languages: Sequence[str]) -> T:
         return made if type(value) is tuple else value
     if not is_dataclass(value) or isinstance(value, type):
         return value
-    inside = {field.name: getattr(value, field.name) for field in fields(value) if field.init}
-    changed = {
-        name: _only(one, languages) if name in _TEXTS else _in_languages(one, languages)
-        for name, one in inside.items()
-        if isinstance(one, tuple | Mapping) or is_dataclass(one)
+    inside: dict[str, Any] = {field.name: getattr(value, field.name) for field in fields(value) if field.init}
+    changed: dict[str, Any] = {
+        name: _only(one, languages) if name in _TEXTS else _in_languages(one, languages) for name, one in inside.items()
     }
     return replace(value, **changed)
 

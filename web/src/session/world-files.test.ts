@@ -14,7 +14,10 @@ afterEach(async () => {
 
 it("fetches the parts anew when the page speaks another language, as they come with the words of one", async () => {
   const robots = [{ name: "crane", label: { "": "Crane", es: "Grúa" }, objects: [] }];
-  line = testLine({ "api/catalogue": { stamp: "b", catalogue: { groups: [], robots, problems: [] } }, "api/world": { world: null } });
+  line = testLine({
+    "api/catalogue": { stamp: "b", catalogue: { groups: [], robots, problems: [] } },
+    "api/world": { world: null },
+  });
   holdParts("a");
   const asked = () => line.asked.filter(([address]) => address.startsWith("api/catalogue")).length;
   await useLanguage.getState().choose("es");

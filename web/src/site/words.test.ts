@@ -28,7 +28,9 @@ afterEach(() => vi.unstubAllGlobals());
 it("brings the sentences of a language once, before whoever waits for them goes on", async () => {
   const asked = answering(() => packed("msgid"));
   const written: [string, string][] = [];
-  const words = new Words("http://site/", FILES, (name, bytes) => written.push([name, new TextDecoder().decode(bytes)]));
+  const words = new Words("http://site/", FILES, (name, bytes) =>
+    written.push([name, new TextDecoder().decode(bytes)]),
+  );
   await Promise.all([words.have("fr"), words.have("fr")]);
   await words.have("fr");
   expect(asked).toEqual(["http://site/words/fr.po.zlib"]);
