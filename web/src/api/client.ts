@@ -4,7 +4,7 @@
  * Each resolves to what the server sent or rejects with an `ApiError`, whose message is a sentence and whose help says what
  * to do; 409 keeps the revision that is on disk. Addresses are relative, so the page works under any path.
  */
-import { languageInUse, t } from "../i18n/words";
+import { type Language, languageInUse, t } from "../i18n/words";
 import type { Arc, Fragment, Mission, MissionFile, Problem, Report, SpanEntry, Vertex } from "../model/types";
 import type * as server from "./generated";
 import { renewToken } from "./reconnect";
@@ -41,6 +41,8 @@ export class ApiError extends Error {
 }
 
 export interface RequestOptions {
+  /** In which the answer is wanted; else in that of the page. */
+  language?: Language;
   method?: "GET" | "POST" | "PUT";
   json?: unknown;
   bytes?: ArrayBuffer;
@@ -102,11 +104,11 @@ const offline = () => new ApiError(t("error.offline"), t("error.offline-help"));
 /** Sends a request: to the studio, or `through` the network to another server, about which `unreached` speaks. */
 export async function request(
   address: string,
-  { method = "GET", json, bytes, signal }: RequestOptions,
+  { language = languageInUse(), method = "GET", json, bytes, signal }: RequestOptions,
   through: (address: string, asked: RequestInit) => Promise<Response> = transport().fetch,
   unreached = offline,
 ): Promise<Response> {
-  const headers: Record<string, string> = { "Accept-Language": languageInUse() };
+  const headers: Record<string, string> = { "Accept-Language": language };
   if (token() !== "") headers["X-KitRobot-Token"] = token();
   if (json !== undefined) headers["Content-Type"] = "application/json";
   if (bytes !== undefined) headers["Content-Type"] = "application/octet-stream";
@@ -130,11 +132,7 @@ export function problemsIn(report: Report | null, program: string): Problem[] {
 }
 
 /** `after` with the very things of `before` where both say the same; `before` itself where all of them do. */
-function reused<PartReference>(
-  before: PartReference[],
-  after: PartReference[],
-  value: (one: PartReference) => unknown,
-): PartReference[] {
+function reused<T>(before: T[], after: T[], value: (one: T) => unknown): T[] {
   const known = new Map(before.map((one) => [JSON.stringify(value(one)), one]));
   const found = after.map((one) => known.get(JSON.stringify(value(one))) ?? one);
   return found.length === before.length && found.every((one, at) => one === before[at]) ? before : found;

@@ -1,4 +1,5 @@
 /** Routes of parts: the files beside a mission, and new or changed variables. */
+import { languageInUse } from "../i18n/words";
 import type { Mission, OwnVariable, OwnWorld, WorldEntry } from "../model/types";
 import { ask } from "./client";
 import type {
@@ -20,7 +21,7 @@ export type WantedVariable = Required<Omit<VariableAsk, "path" | "variables">>;
 const at = (path: string) => `path=${encodeURIComponent(path)}`;
 
 export const partsApi = {
-  catalogue: (path: string) => ask<Parts>(`catalogue?${at(path)}`),
+  catalogue: (path: string, language = languageInUse()) => ask<Parts>(`catalogue?${at(path)}`, { language }),
   world: (path: string, href: string) => ask<WorldFile>(`world?${at(path)}&href=${encodeURIComponent(href)}`),
   /** What a world's file is made of; null when it is not there or has mistakes. */
   plan: (path: string, href: string) => ask<Plan>(`world/plan?${at(path)}&href=${encodeURIComponent(href)}`),

@@ -20,6 +20,18 @@ function remembered(): Language | null {
   }
 }
 
+/** Fetches what else has words of a language; what it gives puts them in place. */
+type Preparation = (language: Language) => Promise<() => void>;
+
+const preparations: Preparation[] = [];
+/** So long a language waits for what else has its words, in ms: a server that is slow does not hold up the page. */
+const WAIT_MS = 1000;
+
+/** Before the page speaks another language that is fetched, so that it never speaks two. */
+export function prepareLanguage(preparation: Preparation): void {
+  preparations.push(preparation);
+}
+
 interface LanguageState {
   language: Language;
   choose: (language: Language) => Promise<void>;
@@ -28,6 +40,9 @@ interface LanguageState {
 export const useLanguage = create<LanguageState>((set) => ({
   language: languageInUse(),
   choose: async (wanted) => {
+    const prepared = Promise.all(preparations.map((prepare) => prepare(wanted)));
+    const late = new Promise<null>((end) => setTimeout(end, WAIT_MS, null));
+    const there = await Promise.race([prepared, late]);
     const language = await speak(wanted);
     if (language === wanted) {
       try {
@@ -38,6 +53,8 @@ export const useLanguage = create<LanguageState>((set) => ({
     }
     write(language);
     set({ language });
+    if (language !== wanted) return;
+    for (const put of there ?? (await prepared)) put();
   },
 }));
 

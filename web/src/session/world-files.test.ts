@@ -1,4 +1,4 @@
-import { afterEach, expect, it, vi } from "vitest";
+import { afterEach, expect, it } from "vitest";
 
 import { useLanguage } from "../i18n/language";
 import { useStudio } from "../model/studio";
@@ -12,15 +12,27 @@ afterEach(async () => {
   line.end();
 });
 
-it("fetches the parts anew when the page speaks another language, as they come with the words of one", async () => {
-  const robots = [{ name: "crane", label: { "": "Crane", es: "Grúa" }, objects: [] }];
+const robots = [{ name: "crane", label: { "": "Crane", es: "Grúa" }, objects: [] }];
+const label = () => useStudio.getState().catalogue.robots[0]?.label;
+
+it("has the parts in another language before the page speaks it, as they come with the words of one", async () => {
   line = testLine({
     "api/catalogue": { stamp: "b", catalogue: { groups: [], robots, problems: [] } },
     "api/world": { world: null },
   });
   holdParts("a");
-  const asked = () => line.asked.filter(([address]) => address.startsWith("api/catalogue")).length;
+  const seen: unknown[] = [];
+  const end = useLanguage.subscribe(({ language }) => seen.push(language, line.asked.length));
   await useLanguage.getState().choose("es");
-  await vi.waitFor(() => expect(useStudio.getState().catalogue.robots[0]?.label).toEqual({ "": "Crane", es: "Grúa" }));
-  expect(asked()).toBe(1);
+  end();
+  expect(seen).toEqual(["es", 2]);
+  expect(label()).toEqual({ "": "Crane", es: "Grúa" });
+  expect(line.asked.filter(([address]) => address.startsWith("api/catalogue"))).toHaveLength(1);
+});
+
+it("speaks another language though the parts cannot be had", async () => {
+  line = testLine({ "api/catalogue": new Response("{}", { status: 503 }) });
+  holdParts("a");
+  await useLanguage.getState().choose("es");
+  expect(useLanguage.getState().language).toBe("es");
 });

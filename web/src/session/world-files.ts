@@ -9,7 +9,8 @@ import { create } from "zustand";
 
 import { partsApi } from "../api/parts";
 import type { News } from "../api/watch";
-import { useLanguage } from "../i18n/language";
+import { prepareLanguage } from "../i18n/language";
+import type { Language } from "../i18n/words";
 import { OWN_WORLD, sameWorld } from "../model/commands/changeWorld";
 import { useStudio } from "../model/studio";
 import type { World } from "../model/types";
@@ -37,10 +38,8 @@ export function holdParts(stamp: string): void {
   followWorld();
 }
 
-/** Parts come with the words of one language. */
-useLanguage.subscribe(({ language }, before) => {
-  if (language !== before.language && held !== null) void readParts();
-});
+// Parts come with the words of one language.
+prepareLanguage((language) => (held === null ? Promise.resolve(() => undefined) : fetchParts(language)));
 
 export function hearOfParts({ path, parts }: News): void {
   if (parts === "" || held === null || parts === held || path !== useStudio.getState().file.path) return;
@@ -49,24 +48,32 @@ export function hearOfParts({ path, parts }: News): void {
 
 /** Reads the files anew. Resolves when they are there, or cannot be had. */
 export async function readParts(): Promise<void> {
+  (await fetchParts())();
+}
+
+/** Fetches the files anew; what it gives puts them in place, unless others were asked for meanwhile. */
+async function fetchParts(language?: Language): Promise<() => void> {
   const mine = ++asked;
   const { file, mission } = useStudio.getState();
   try {
     const [{ stamp, catalogue }, { world }] = await Promise.all([
-      partsApi.catalogue(file.path),
+      partsApi.catalogue(file.path, language),
       partsApi.world(file.path, mission.world),
     ]);
-    if (mine !== asked || useStudio.getState().file.path !== file.path) return;
-    held = stamp;
-    worlds.clear();
-    worlds.set(keyOf(file.path, mission.world), world);
-    useStudio.getState().loadParts(catalogue);
-    useStudio.getState().loadWorld(mission.world, world);
-    useFiles.setState(({ read }) => ({ read: read + 1 }));
-    followWorld();
+    return () => {
+      if (mine !== asked || useStudio.getState().file.path !== file.path) return;
+      held = stamp;
+      worlds.clear();
+      worlds.set(keyOf(file.path, mission.world), world);
+      useStudio.getState().loadParts(catalogue);
+      useStudio.getState().loadWorld(mission.world, world);
+      useFiles.setState(({ read }) => ({ read: read + 1 }));
+      followWorld();
+    };
   } catch {
     // The next connection brings news, and then everything.
     if (mine === asked) held = "";
+    return () => undefined;
   }
 }
 
