@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import fields, is_dataclass, replace
+from copy import copy
+from dataclasses import fields, is_dataclass
+from functools import cache
 from typing import Annotated, Any, Literal, TypeVar
 
 from pydantic import BaseModel, Field
@@ -169,18 +171,29 @@ def _only(texts: Mapping[str, T], languages: Sequence[str]) -> Mapping[str, T]:
     return {language: texts[language] for language in languages if language in texts}
 
 
+@cache
+def _fields_of(kind: type) -> tuple[str, ...]:
+    """The names of the fields of a dataclass; nothing of another type."""
+    return tuple(field.name for field in fields(kind)) if is_dataclass(kind) else ()
+
+
 def _in_languages(value: T, languages: Sequence[str]) -> T:
     """A part of the catalogue with the texts of those languages alone, in all that it is made of."""
     if isinstance(value, tuple):
-        made: Any = tuple(_in_languages(one, languages) for one in value)
-        return made if type(value) is tuple else value
-    if not is_dataclass(value) or isinstance(value, type):
+        parts: Any = tuple(_in_languages(one, languages) for one in value)
+        return parts if type(value) is tuple else value
+    kind: type = type(value)
+    names = _fields_of(kind)
+    if not names:
         return value
-    inside: dict[str, Any] = {field.name: getattr(value, field.name) for field in fields(value) if field.init}
-    changed: dict[str, Any] = {
-        name: _only(one, languages) if name in _TEXTS else _in_languages(one, languages) for name, one in inside.items()
-    }
-    return replace(value, **changed)
+    made = copy(value)
+    for name in names:
+        inside = getattr(value, name)
+        kept: Any = _only(inside, languages) if name in _TEXTS else _in_languages(inside, languages)
+        if kept is not inside:
+            # Nothing that such a value checks when it is made depends on its texts.
+            object.__setattr__(made, name, kept)
+    return made
 
 
 def _robot(robot: Robot) -> RobotShape:
