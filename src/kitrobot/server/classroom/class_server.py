@@ -61,12 +61,13 @@ def serve_class(opening: ClassSettings) -> None:
     if opening.tls is not None:
         usable_certificate(*opening.tls)
     site = _site(opening)
-    own = own_certificate(_shown(address)) if opening.https else None
+    shown = _shown(address)
+    own = own_certificate(shown) if opening.https else None
     room = ClassRoom(opening.folder)
     try:
         if opening.new_code or not room.record.code:
             TeacherActions(room).set_code(True)
-        _serve(room, address, opening, site, own)
+        _serve(room, (address, shown), opening, site, own)
     finally:
         room.close()
 
@@ -88,8 +89,10 @@ def _site(opening: ClassSettings) -> Path | None:
 
 
 def _serve(
-    room: ClassRoom, address: str, opening: ClassSettings, site: Path | None, own: OwnCertificate | None
+    room: ClassRoom, addresses: tuple[str, str], opening: ClassSettings, site: Path | None, own: OwnCertificate | None
 ) -> None:
+    """Serves until Ctrl-C. `addresses`: the one that is listened on, and the one that pupils open."""
+    address, shown = addresses
     tls = opening.tls if own is None else (own.path, own.path)
     first = listen(address, opening.port)
     number = first.getsockname()[1]
@@ -106,7 +109,6 @@ def _serve(
         from kitrobot.server.web_server import Tls, run_server
 
     scheme = "http" if tls is None else "https"
-    shown = _shown(address)
     pupils = f"{scheme}://{_name(shown)}:{number}/"
     home = f"{scheme}://{'127.0.0.1' if tls is None else _name(shown)}:{number}/"
     key = new_key()

@@ -34,13 +34,12 @@ def _record(opcode: int, *parts: bytes) -> bytes:
     return struct.pack("<BQ", opcode, len(data)) + data
 
 
-def _text(text: str) -> bytes:
-    data = text.encode()
-    return struct.pack("<I", len(data)) + data
-
-
 def _sized(data: bytes) -> bytes:
     return struct.pack("<I", len(data)) + data
+
+
+def _text(text: str) -> bytes:
+    return _sized(text.encode())
 
 
 def _texts(entries: Mapping[str, str]) -> bytes:
