@@ -130,9 +130,7 @@ def _judged(data: bytes, name: str, exercise: str | None) -> dict[str, Any]:
         raise KitRobotError(next(one.message for one in problems if one.is_error))
     ready = ready_exercise(Path(exercise)) if exercise is not None else _exercise_of(mission)
     opened = open_handed_in(ready.start, mission, SearchPath(ready.folder))
-    made = evaluate_submission(
-        ready.exercise, opened, EvaluationOptions(hidden=True), given=ready.start.mission.constructors
-    )
+    made = evaluate_submission(ready.exercise, opened, EvaluationOptions(hidden=True), start=ready.start.mission)
     return {
         "exercise": texts_of(ready.exercise.label),
         "file": str(ready.path),
@@ -166,7 +164,7 @@ def goal_grade(verdict: GoalVerdict) -> GoalGrade:
         goal.points,
         goal.hidden,
         bool(verdict.reached),
-        translate_all(verdict.why),
+        translate_all(verdict.why or verdict.runs_ground),
         verdict.seed,
         verdict.seconds,
         verdict.runs,

@@ -1,8 +1,8 @@
 """The kinds of goals and how each is decided: a closed set, one class for each.
 
 `fault` of a goal returns what is wrong with the given `evidence`, or None when the goal is reached. Run goals get each
-run, program goals all programs, check goals one verdict. `exercise_xml` gives each its element and attributes, whose
-names are those of the fields.
+run, program goals all programs, check goals what a check or a run says of the property. `exercise_xml` gives each its
+element and attributes, whose names are those of the fields.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from kitrobot.exercise.evidence import CheckEvidence, PathPoint, ProgramEvidence, RunEvidence
 from kitrobot.exercise.figures import figure_fault
+from kitrobot.mission.property_forms import AskedProperty
 from kitrobot.primitives.robot import Texts
 from kitrobot.text.sentences import SEMICOLON, Sentence, Series
 
@@ -70,8 +71,11 @@ class ProgramGoal(Goal):
 
 @dataclass(frozen=True)
 class CheckGoal(Goal):
-    """`<holds>`: a property of `kitrobot verify` holds. `states` bounds the exact search, behind which an approximate
-    one finds what is broken; that it finds nothing counts if the goal is `approximate`.
+    """`<holds>`: a property holds. `states` bounds the exact search, behind which an approximate one finds what is
+    broken; that it finds nothing counts if the goal is `approximate`.
+
+    `property` is the name of a ready one. Of one of the exercise's own, `asked`, it is what that demands in words; one
+    that counts seconds is judged by runs.
     """
 
     property: str
@@ -79,9 +83,20 @@ class CheckGoal(Goal):
     failures: int
     states: int
     approximate: bool
+    asked: AskedProperty | None = None
+
+    def ground(self, seen: CheckEvidence) -> Sentence | str:
+        """How a check knows that the goal is reached; "" where it is not."""
+        if seen.answer == "holds":
+            return Sentence("proved for every order of events")
+        if seen.answer == "nothing found" and self.approximate:
+            return Sentence(
+                "not proved; nothing was found in {states} states, and some may have been missed", f"{seen.states:,}"
+            )
+        return ""
 
     def fault(self, seen: CheckEvidence) -> Fault | None:
-        """What is wrong with what came of the check."""
+        """What is wrong with what a check or a run says of it."""
         match seen.answer:
             case "holds":
                 return None
