@@ -112,7 +112,7 @@ def _check_goal(element: Element) -> Goal:
         help = Sentence('leave out property="…", or make two goals of it')
         element.report(rules.GOAL, words, "property", help)
     name = str(asked.words) if asked is not None else "" if has_form(element) else element.choice("property")
-    made = _goal(partial(CheckGoal, property=name, asked=asked), _OF_CHECKS)(element)
+    made = _goal(partial(CheckGoal, property=name, asked=asked, place=element.place()), _OF_CHECKS)(element)
     used = [word for word in _OF_CHECKS if word in element.attributes]
     if used and asked is not None and asked.counts_seconds:
         words = Sentence("{attribute} is of a check, and this property counts seconds, so runs judge it", used[0])

@@ -8,8 +8,9 @@ element and attributes, whose names are those of the fields.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
+from kitrobot.diagnostics.model import Place
 from kitrobot.exercise.evidence import CheckEvidence, PathPoint, ProgramEvidence, RunEvidence
 from kitrobot.exercise.figures import figure_fault
 from kitrobot.mission.property_forms import AskedProperty
@@ -75,7 +76,7 @@ class CheckGoal(Goal):
     broken; that it finds nothing counts if the goal is `approximate`.
 
     `property` is the name of a ready one. Of one of the exercise's own, `asked`, it is what that demands in words; one
-    that counts seconds is judged by runs.
+    that counts seconds is judged by runs. `place` is where it stands in the exercise's file.
     """
 
     property: str
@@ -84,6 +85,7 @@ class CheckGoal(Goal):
     states: int
     approximate: bool
     asked: AskedProperty | None = None
+    place: Place | None = field(default=None, compare=False)
 
     def ground(self, seen: CheckEvidence) -> Sentence | str:
         """How a check knows that the goal is reached; "" where it is not."""
@@ -118,8 +120,10 @@ class CheckGoal(Goal):
                 )
             case "none":
                 return Fault(Sentence("this could not be checked: {reason}", seen.sentence))
+        if not seen.steps and seen.seed is not None:
+            return Fault(Sentence("{property}: a run breaks it", seen.sentence), seen.seconds, seen.seed)
         if not seen.steps:
-            return Fault(Sentence("{property}: it can go wrong", seen.sentence), seen.seconds, seen.seed)
+            return Fault(Sentence("{property}: it can go wrong", seen.sentence))
         steps = Series(SEMICOLON, seen.steps)
         words = Sentence("{property}: it can go wrong when {steps}", seen.sentence, steps)
         return Fault(words, seen.seconds, seen.seed)
