@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+import kitrobot
 from kitrobot.checking.exercise_evaluation import EvaluationOptions, GoalVerdict, evaluate_submission, open_handed_in
 from kitrobot.exercise.exercise_xml import MOST_GOALS, read_exercise
 from kitrobot.exercise.goals import CheckGoal
@@ -17,6 +18,7 @@ from kitrobot.lll.tree import Members
 from kitrobot.mission.model import Mission
 from kitrobot.mission.property_forms import AskedProperty, Form
 from kitrobot.mission.reader import read_mission
+from kitrobot.workspace.file_check import check_file
 from kitrobot.workspace.mission_loader import OpenMission, open_mission
 from kitrobot.workspace.search_path import SearchPath
 from tests.exercises.handing_in import FOLDER, submission
@@ -64,6 +66,7 @@ def test_every_form_is_read_as_that_of_a_mission() -> None:
     assert [goal.property for goal in goals] == [str(one.words) for one in mission.properties]
 
 
+HOLDS = "any robot-1 (Light.IsGreen())"
 ANY = "any p (Button.IsPressed())"
 
 
@@ -127,7 +130,7 @@ def test_a_check_proves_what_needs_no_time_and_runs_see_what_does() -> None:
     )
     never, first, after, most = judged(JAM, submission(JAM, SOLVED[JAM]), *goals, seeds=(1, 2))
     assert (never.reached, first.reached, after.reached) == (True, True, True)
-    assert [str(one.why) for one in (never, first)] == ["proved for every order of events"] * 2
+    assert [str(one.why) for one in (never, first)] == ["proved for every order of events of the model (lockstep)"] * 2
     assert (after.why, str(after.runs_ground)) == ("", "seen in 2 runs, which is no proof")
     assert most.reached is False
     assert ": it can go wrong when " in most.why
@@ -206,6 +209,25 @@ def test_a_group_that_is_declared_in_another_way_is_said_and_is_no_pass() -> Non
     [one] = judged(CONVOY, mission, goal)
     assert one.reached is False
     assert one.why == ("this could not be checked: `convoy` is declared otherwise than in the mission of the exercise")
+
+
+def test_a_check_of_the_file_says_what_the_first_mission_lacks_and_python_what_the_exercise_says(
+    tmp_path: Path,
+) -> None:
+    for name in (f"{RED}.krt", "two-lines.world.xml"):
+        shutil.copy(FOLDER / name, tmp_path / name)
+    path = tmp_path / "own.exercise.xml"
+    path.write_text(goals_file('never="any robot-9 (Light.IsRed())"', f'never="{HOLDS}"', start=f"{RED}.krt"))
+    report = check_file(path)
+    assert [str(one.message) for one in report.diagnostics] == [
+        "`robot-9` is no agent of this team, and no program of one"
+    ]
+    assert report.diagnostics[0].place is not None
+    assert report.diagnostics[0].place.line == 1
+    made = kitrobot.grade_mission(open_mission(tmp_path / f"{RED}.krt"), path)
+    assert [one.reached for one in made.verdicts] == [False, True]
+    path.write_text(goals_file('never="any robot-9 (Light.IsRed())"', start="gone.krt"))
+    assert check_file(path).diagnostics == ()
 
 
 def test_an_exercise_of_a_folder_is_graded_with_its_properties(tmp_path: Path) -> None:

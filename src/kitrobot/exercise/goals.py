@@ -90,7 +90,7 @@ class CheckGoal(Goal):
     def ground(self, seen: CheckEvidence) -> Sentence | str:
         """How a check knows that the goal is reached; "" where it is not."""
         if seen.answer == "holds":
-            return Sentence("proved for every order of events")
+            return Sentence("proved for every order of events of the model ({timing})", self.timing)
         if seen.answer == "nothing found" and self.approximate:
             return Sentence(
                 "not proved; nothing was found in {states} states, and some may have been missed", f"{seen.states:,}"
