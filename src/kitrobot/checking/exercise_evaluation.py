@@ -9,7 +9,7 @@ processes and tables for a class (`classroom.grading`).
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from kitrobot.checking.check_evidence import assign_judges, collect_check_evidence, group_alike
@@ -28,6 +28,7 @@ from kitrobot.mission.model import Mission
 from kitrobot.primitives.constructors import Constructor
 from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import Label, Sentence
+from kitrobot.verifier.properties.properties import Property
 from kitrobot.workspace.exercises import handed_in
 from kitrobot.workspace.mission_loader import OpenMission, with_mission
 from kitrobot.workspace.mission_run import PreparedRun, RunOptions
@@ -131,7 +132,7 @@ def evaluate_submission(
         return _unusable(goals, [one for one in error.diagnostics if one.is_error])
     judges = assign_judges(prepared, [goal for goal in goals if isinstance(goal, CheckGoal)], start)
     run_goals = [goal for goal in goals if isinstance(goal, RunGoal)] if options.runs else []
-    watched = [goal for goal, _ in judges.runs] if options.runs else []
+    watched = judges.runs if options.runs else []
     checks = judges.checks if options.checks else []
     total = (len(seeds) if run_goals or watched else 0) + len(checks)
     done = 0
@@ -148,24 +149,10 @@ def evaluate_submission(
         if isinstance(goal, ProgramGoal):
             fault = goal.fault(seen)
             found[id(goal)] = _verdict(goal, fault)
-    verdicts: dict[int, list[tuple[int, Fault | None]]] = {id(goal): [] for goal in run_goals}
-    seen_in_runs: dict[int, list[CheckEvidence]] = {id(goal): [] for goal in watched}
-    properties = {goal.property: found_property for goal, found_property in judges.runs}
     if run_goals or watched:
-        paths = any(goal.needs_path for goal in run_goals)
-        for seed in seeds:
-            run = collect_run_evidence(_simulation(prepared, seed), seed, paths, options.stop, properties)
-            if run is None:
-                break
-            for goal in watched:
-                seen_in_runs[id(goal)].append(run.properties[goal.property])
-            for goal in run_goals:
-                verdicts[id(goal)].append((seed, goal.fault(run)))
-            count_done()
-    for goal in run_goals:
-        found[id(goal)] = _of_runs(goal, verdicts[id(goal)], len(seeds))
-    for goal in watched:
-        found[id(goal)] = _of_property(goal, seen_in_runs[id(goal)], len(seeds), set(seeds) >= set(all_seeds))
+        is_whole = set(seeds) >= set(all_seeds)
+        in_runs = _judge_runs(prepared, seeds, is_whole, run_goals, watched, options.stop, count_done)
+        found |= {id(one.goal): one for one in in_runs}
     for alike in group_alike(checks):
         if options.stop():
             break
@@ -177,6 +164,34 @@ def evaluate_submission(
                 found[id(check)] = _of_check(check, seen_of[check.property])
                 count_done()
     return Evaluation(tuple(found.get(id(goal), GoalVerdict(goal, None)) for goal in goals))
+
+
+def _judge_runs(
+    prepared: PreparedRun,
+    seeds: Sequence[int],
+    is_whole: bool,
+    goals: Sequence[RunGoal],
+    watched: Sequence[tuple[CheckGoal, Property]],
+    stop: Callable[[], bool],
+    count_done: Callable[[], None],
+) -> Iterator[GoalVerdict]:
+    """The verdicts of runs; `is_whole`: they are all of the exercise."""
+    faults: list[list[tuple[int, Fault | None]]] = [[] for _ in goals]
+    seen: list[list[CheckEvidence]] = [[] for _ in watched]
+    properties = {goal.property: one for goal, one in watched}
+    paths = any(goal.needs_path for goal in goals)
+    for seed in seeds:
+        run = collect_run_evidence(_simulation(prepared, seed), seed, paths, stop, properties)
+        if run is None:
+            break
+        for goal, told in zip(goals, faults, strict=True):
+            told.append((seed, goal.fault(run)))
+        for (check, _), shown in zip(watched, seen, strict=True):
+            shown.append(run.properties[check.property])
+        count_done()
+    yield from (_of_runs(goal, told, len(seeds)) for goal, told in zip(goals, faults, strict=True))
+    for (check, _), shown in zip(watched, seen, strict=True):
+        yield _of_property(check, shown, len(seeds), is_whole)
 
 
 def _unusable(goals: Iterable[Goal], problems: list[Diagnostic]) -> Evaluation:

@@ -45,11 +45,7 @@ test("a property that no check judged says in how many runs it was seen; one tha
   expect(one.map(groundOf)).toEqual([never.why, "Seen in 1 run, which is no proof.", ""]);
   const two = withVerdicts(one, [verdict(true), verdict(true), verdict(true)], goals);
   const three = withVerdicts(two, [never, verdict(null), verdict(true)], goals);
-  expect(three.map(groundOf)).toEqual([
-    "Seen in 1 run, which is no proof.",
-    "Seen in 2 runs, which is no proof.",
-    "",
-  ]);
+  expect(three.map(groundOf)).toEqual(["Seen in 1 run, which is no proof.", "Seen in 2 runs, which is no proof.", ""]);
   expect([one[0]?.state, three[0]?.state]).toEqual(["open", "reached"]);
 });
 
