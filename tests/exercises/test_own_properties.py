@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import kitrobot
+from kitrobot.checking.check_evidence import assign_judges, collect_check_evidence
 from kitrobot.checking.exercise_evaluation import EvaluationOptions, GoalVerdict, evaluate_submission, open_handed_in
 from kitrobot.exercise.exercise_xml import MOST_GOALS, read_exercise
 from kitrobot.exercise.goals import CheckGoal
@@ -18,8 +19,10 @@ from kitrobot.lll.tree import Members
 from kitrobot.mission.model import Mission
 from kitrobot.mission.property_forms import AskedProperty, Form
 from kitrobot.mission.reader import read_mission
+from kitrobot.primitives.catalogue import SHIPPED
 from kitrobot.workspace.file_check import check_file
 from kitrobot.workspace.mission_loader import OpenMission, open_mission
+from kitrobot.workspace.mission_run import RunOptions
 from kitrobot.workspace.search_path import SearchPath
 from tests.exercises.handing_in import FOLDER, submission
 from tests.exercises.solutions import SOLVED
@@ -51,7 +54,7 @@ def judged(
     assert exercise is not None, problems
     start = start or open_mission(FOLDER / f"{name}.krt")
     opened = open_handed_in(start, mission, SearchPath(FOLDER))
-    return list(evaluate_submission(exercise, opened, options, start=start.mission).verdicts)
+    return list(evaluate_submission(exercise, opened, options, start=start).verdicts)
 
 
 def test_every_form_is_read_as_that_of_a_mission() -> None:
@@ -196,6 +199,26 @@ def test_what_is_handed_in_removes_and_weakens_no_property() -> None:
         assert opened.mission.properties == [demand]
         [one] = judged(JAM, handed, f'never="{demand.first}"', start=start)
         assert one.reached is False
+
+
+def test_runs_judge_only_where_the_first_mission_has_no_model_either(tmp_path: Path) -> None:
+    """Otherwise a program could get rid of a proof. A carrier that can drive by lengths has no model."""
+    by = '<procedure name="DriveBy" completes="later"><parameter name="distance" min="0" max="100"/></procedure>'
+    robot = (SHIPPED / "carrier.robot.xml").read_text(encoding="utf-8").replace('name="carrier"', 'name="own"', 1)
+    (tmp_path / "own.robot.xml").write_text(robot.replace("</actuator>", f"{by}</actuator>", 1), encoding="utf-8")
+    shutil.copy(FOLDER / "short-ring.world.xml", tmp_path)
+    mission = (FOLDER / f"{JAM}.krt").read_text(encoding="utf-8").replace('robot="carrier"', 'robot="own"')
+    (tmp_path / "x.krt").write_text(mission, encoding="utf-8")
+    exercise, _ = read_exercise(goals_file('never="all ring-carrier (Collision.IsPressed())"').encode(), "x")
+    assert exercise is not None
+    goals = [goal for goal in exercise.goals if isinstance(goal, CheckGoal)]
+    start = open_mission(tmp_path / "x.krt")
+    prepared = start.prepare(RunOptions(1, 60.0))
+    assert [len(found) for found in assign_judges(prepared, goals, start)] == [0, 1, 0]
+    judges = assign_judges(prepared, goals, open_mission(FOLDER / f"{JAM}.krt"))
+    assert judges.checks == goals
+    [seen] = collect_check_evidence(prepared, goals).values()
+    assert (seen.answer, "drives a distance" in seen.sentence) == ("none", True)
 
 
 def test_a_group_that_is_declared_in_another_way_is_said_and_is_no_pass() -> None:

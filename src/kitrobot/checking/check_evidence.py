@@ -14,9 +14,10 @@ from typing import Final, Literal, NamedTuple
 from kitrobot.checking.checked_model import abstract_asked
 from kitrobot.checking.verification import VerificationError, VerificationOptions, verify
 from kitrobot.checking.verification_result import Finding, Verification
+from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.exercise.evidence import CheckEvidence
 from kitrobot.exercise.goals import CheckGoal
-from kitrobot.mission.model import Mission, Team
+from kitrobot.mission.model import Team
 from kitrobot.mission.property_forms import AskedProperty
 from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import Sentence
@@ -29,7 +30,8 @@ from kitrobot.verifier.properties.custom_properties import build_custom_property
 from kitrobot.verifier.properties.properties import Property
 from kitrobot.verifier.properties.run_conditions import declared_of, team_of
 from kitrobot.verifier.properties.verdicts import Answer
-from kitrobot.workspace.mission_run import PreparedRun
+from kitrobot.workspace.mission_loader import OpenMission
+from kitrobot.workspace.mission_run import PreparedRun, RunOptions
 
 STEPS_SHOWN: Final = 4
 """How many of the last steps are shown of a model run that breaks a property."""
@@ -59,11 +61,11 @@ class GoalJudges(NamedTuple):
     nobody: list[tuple[CheckGoal, CheckEvidence]]
 
 
-def assign_judges(prepared: PreparedRun, goals: Iterable[CheckGoal], start: Mission | None) -> GoalJudges:
+def assign_judges(prepared: PreparedRun, goals: Iterable[CheckGoal], start: OpenMission | None) -> GoalJudges:
     """Sorts goals by who judges them.
 
-    Runs judge a property that counts seconds, and one that no check of this mission can decide; but what is asked with
-    failures only a check knows.
+    Runs judge a property that counts seconds, and one that no check can decide: neither of what was handed in nor of
+    the mission of the exercise, so that no program gets rid of a proof. What is asked with failures only a check knows.
 
     Args:
         prepared: what was handed in, in the mission of its exercise.
@@ -79,23 +81,26 @@ def assign_judges(prepared: PreparedRun, goals: Iterable[CheckGoal], start: Miss
         try:
             found = build_run_property(asked, run)
             if start is not None:
-                _expect_declared(asked, run, start.team)
+                _expect_declared(asked, run, start.mission.team)
         except PropertyError as error:
             made.nobody.append((goal, CheckEvidence("none", error.message)))
             continue
-        if asked.counts_seconds or (goal.failures == 0 and not _has_check(asked, run)):
+        if asked.counts_seconds or (goal.failures == 0 and not _has_check(asked, run, prepared.options, start)):
             made.runs.append((goal, found))
         else:
             made.checks.append(goal)
     return made
 
 
-def _has_check(asked: AskedProperty, run: Simulation) -> bool:
-    """Whether a check can decide a property of the mission of a run."""
+def _has_check(asked: AskedProperty, run: Simulation, options: RunOptions, start: OpenMission | None) -> bool:
+    """Whether a check can decide a property of the mission of a run, or else of the one that it began as."""
     try:
         build_custom_property(Model(run, abstract_asked(run, (asked,)), 0, Timing.LOCKSTEP), asked)
     except (PropertyError, AbstractionError):
-        return False
+        try:
+            return start is not None and _has_check(asked, start.prepare(options).simulation, options, None)
+        except ProblemsError:
+            return False
     return True
 
 

@@ -119,7 +119,7 @@ def evaluate_submission(
     opened: OpenMission,
     options: EvaluationOptions | None = None,
     progress: Progress | None = None,
-    start: Mission | None = None,
+    start: OpenMission | None = None,
 ) -> Evaluation:
     """Judges a submission that was put into the mission of its exercise, `start`."""
     options = options or EvaluationOptions()
@@ -144,7 +144,7 @@ def evaluate_submission(
             progress(done, total)
 
     found = {id(goal): _of_check(goal, seen) for goal, seen in judges.nobody}
-    seen = collect_program_evidence(opened, start.constructors if start is not None else ())
+    seen = collect_program_evidence(opened, start.mission.constructors if start is not None else ())
     for goal in goals:
         if isinstance(goal, ProgramGoal):
             fault = goal.fault(seen)

@@ -151,7 +151,7 @@ def evaluate_mission(mission: Mission, ready: ReadyExercise) -> Evaluation:
         AnotherMissionError: the mission is of another exercise.
     """
     opened = open_handed_in(ready.start, mission, SearchPath(ready.folder))
-    return evaluate_submission(ready.exercise, opened, EvaluationOptions(hidden=True), start=ready.start.mission)
+    return evaluate_submission(ready.exercise, opened, EvaluationOptions(hidden=True), start=ready.start)
 
 
 def exercise_of(mission: Mission) -> ReadyExercise:
