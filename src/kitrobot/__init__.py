@@ -34,6 +34,7 @@ if TYPE_CHECKING:
         sweep,
         walk,
     )
+    from kitrobot.classroom.mission_grade import grade_mission
     from kitrobot.compiler.compilation import CompiledProgram
     from kitrobot.diagnostics.model import Diagnostic, KitRobotError
     from kitrobot.diagnostics.problems import ProblemsError
@@ -85,6 +86,7 @@ else:
             "sweep",
             "walk",
         ),
+        "classroom.mission_grade": ("grade_mission",),
         "compiler.compilation": ("CompiledProgram",),
         "diagnostics.model": (
             "Diagnostic",
@@ -208,6 +210,7 @@ __all__ = [
     "compile",
     "compile_program",
     "execute",
+    "grade_mission",
     "judge",
     "open",
     "open_mission",

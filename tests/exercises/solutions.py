@@ -86,7 +86,7 @@ WRONG: dict[str, tuple[Programs, list[int]]] = {
         {"blink-and-drive-there": f"3*( Light.LightOn(); WAIT(5); Light.LightOff(); WAIT(5); ); {TO_THE_FIELD}"},
         [3],
     ),
-    "07-red-line": ({"red-line-green-line": "Wheel.Advance(50); <Light.IsRed()>(); Wheel.Stop();"}, [2, 4]),
+    "07-red-line": ({"red-line-green-line": "Wheel.Advance(50); <Light.IsRed()>(); Wheel.Stop();"}, [2, 5]),
     "08-follow-the-line": (
         {"follow-the-line": LINE.replace("LeftWheel.Forward(10)", "LeftWheel.Forward(60)")},
         [1, 2, 3, 4, 5, 7, 8],

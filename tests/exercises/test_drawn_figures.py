@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from kitrobot.checking.exercise_evaluation import collect_run_evidence
+from kitrobot.checking.run_evidence import collect_run_evidence
 from kitrobot.exercise.exercise_xml import read_exercise
 from kitrobot.exercise.goals import RunGoal
 from tests.sim.building import catalogue, empty_world, run_of

@@ -9,18 +9,29 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
-from typing import Final, Literal
+from typing import Final, Literal, NamedTuple
 
+from kitrobot.checking.checked_model import abstract_asked
 from kitrobot.checking.verification import VerificationError, VerificationOptions, verify
 from kitrobot.checking.verification_result import Finding, Verification
+from kitrobot.diagnostics.problems import ProblemsError
 from kitrobot.exercise.evidence import CheckEvidence
 from kitrobot.exercise.goals import CheckGoal
+from kitrobot.mission.model import Team
+from kitrobot.mission.property_forms import AskedProperty
+from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import Sentence
+from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.model.programs import AbstractionError
 from kitrobot.verifier.model.timing import Timing
 from kitrobot.verifier.properties.approximate_verdicts import is_judged_approximately
+from kitrobot.verifier.properties.conditions import PropertyError
+from kitrobot.verifier.properties.custom_properties import build_custom_property, build_run_property, parse_conditions
+from kitrobot.verifier.properties.properties import Property
+from kitrobot.verifier.properties.run_conditions import declared_of, team_of
 from kitrobot.verifier.properties.verdicts import Answer
-from kitrobot.workspace.mission_run import PreparedRun
+from kitrobot.workspace.mission_loader import OpenMission
+from kitrobot.workspace.mission_run import PreparedRun, RunOptions
 
 STEPS_SHOWN: Final = 4
 """How many of the last steps are shown of a model run that breaks a property."""
@@ -42,6 +53,80 @@ def _never() -> bool:
     return False
 
 
+class GoalJudges(NamedTuple):
+    """Who judges the properties of goals: a check; runs, each with what a run is watched for; or nobody, and why."""
+
+    checks: list[CheckGoal]
+    runs: list[tuple[CheckGoal, Property]]
+    nobody: list[tuple[CheckGoal, CheckEvidence]]
+
+
+def assign_judges(prepared: PreparedRun, goals: Iterable[CheckGoal], start: OpenMission | None) -> GoalJudges:
+    """Sorts goals by who judges them.
+
+    Runs judge a property that counts seconds, and one that no check can decide: neither of what was handed in nor of
+    the mission of the exercise, so that no program gets rid of a proof. What is asked with failures only a check knows.
+
+    Args:
+        prepared: what was handed in, in the mission of its exercise.
+        goals: the goals.
+        start: the mission of the exercise; its roles and groups are those that properties mean.
+    """
+    made = GoalJudges([], [], [])
+    for goal in goals:
+        if goal.asked is None:
+            made.checks.append(goal)
+            continue
+        run, asked = prepared.simulation, goal.asked
+        try:
+            found = build_run_property(asked, run)
+            if start is not None:
+                _expect_declared(asked, run, start.mission.team)
+        except PropertyError as error:
+            made.nobody.append((goal, CheckEvidence("none", error.message)))
+            continue
+        if asked.counts_seconds or (goal.failures == 0 and not _has_check(asked, run, prepared.options, start)):
+            made.runs.append((goal, found))
+        else:
+            made.checks.append(goal)
+    return made
+
+
+def _has_check(asked: AskedProperty, run: Simulation, options: RunOptions, start: OpenMission | None) -> bool:
+    """Whether a check can decide a property of the mission of a run, or else of the one that it began as."""
+    try:
+        build_custom_property(Model(run, abstract_asked(run, (asked,)), 0, Timing.LOCKSTEP), asked)
+    except (PropertyError, AbstractionError):
+        try:
+            return start is not None and _has_check(asked, start.prepare(options).simulation, options, None)
+        except ProblemsError:
+            return False
+    return True
+
+
+def _expect_declared(asked: AskedProperty, run: Simulation, given: Team) -> None:
+    """Refuses a property about a role or a group that a submission declares in another way than its exercise."""
+    conditions = parse_conditions(asked, team_of(run), declared_of(run))
+    for name in sorted({name for one in conditions for name in one.sets}):
+        if _declaration(name, run.mission.team) != _declaration(name, given):
+            raise PropertyError(Sentence("`{name}` is declared otherwise than in the mission of the exercise", name))
+
+
+def _declaration(name: str, team: Team) -> dict[str, object]:
+    """What a role or a group is declared as, with the groups inside it."""
+    found: dict[str, object] = {}
+    waiting = [name]
+    while waiting:
+        one = waiting.pop()
+        if one in found:
+            continue
+        groups = [group for group in team.groups if group.name == one]
+        roles = [(role.robot, role.least, role.most) for role in team.roles if role.name == one]
+        found[one] = roles, [(group.members.names, group.failure) for group in groups]
+        waiting += [inner for group in groups for inner in group.members.names]
+    return found
+
+
 def group_alike(checks: Iterable[CheckGoal]) -> list[list[CheckGoal]]:
     """The goals that one search decides together."""
     found: dict[tuple[str, int, int], list[CheckGoal]] = {}
@@ -59,12 +144,18 @@ def collect_check_evidence(
     """
     like = goals[0]
     wanted = tuple(dict.fromkeys(goal.property for goal in goals))
+    own = {goal.property: replace(goal.asked, name=goal.property) for goal in goals if goal.asked is not None}
     options = VerificationOptions(
-        wanted, (Timing(like.timing),), like.failures, states=like.states, seconds=None, stop=stop
+        tuple(name for name in wanted if name not in own),
+        *((Timing(like.timing),), like.failures),
+        states=like.states,
+        seconds=None,
+        stop=stop,
+        asked=tuple(own.values()),
     )
     try:
         made = verify(prepared, options)
-    except VerificationError as error:
+    except (VerificationError, PropertyError) as error:
         if len(wanted) == 1:
             return {wanted[0]: CheckEvidence("none", error.message)}
         # One of them does not fit this mission: each by itself.
@@ -103,7 +194,12 @@ def _search_further(
     further: dict[tuple[int, str], tuple[Finding, int]] = {}
     if left and options.states is not None and not options.stop():
         names = tuple(dict.fromkeys(left))
-        found = verify(prepared, replace(options, properties=names, states=FURTHER * options.states, approximate=True))
+        asked = tuple(one for one in options.asked if one.name in names)
+        ready = tuple(name for name in names if name not in {one.name for one in asked})
+        further_options = replace(
+            options, properties=ready, asked=asked, states=FURTHER * options.states, approximate=True
+        )
+        found = verify(prepared, further_options)
         further = {
             (column.judged.failures, finding.verdict.property.name): (finding, column.judged.states)
             for column in found.columns

@@ -9,16 +9,16 @@ processes and tables for a class (`classroom.grading`).
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Final
 
-from kitrobot.checking.check_evidence import collect_check_evidence, group_alike
+from kitrobot.checking.check_evidence import assign_judges, collect_check_evidence, group_alike
+from kitrobot.checking.run_evidence import collect_run_evidence
 from kitrobot.compiler.target import target_of
 from kitrobot.compiler.text.part_text import draw_template
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError
 from kitrobot.diagnostics.problems import ProblemsError
-from kitrobot.exercise.evidence import Contact, PathPoint, ProgramEvidence, RunEvidence
+from kitrobot.exercise.evidence import CheckEvidence, ProgramEvidence
 from kitrobot.exercise.goals import CheckGoal, Fault, Goal, ProgramGoal, RunGoal
 from kitrobot.exercise.model import Exercise
 from kitrobot.graph.model import IN, RETURN, START, STOP, Program
@@ -26,20 +26,14 @@ from kitrobot.lll.tree import Call
 from kitrobot.lll.walk import nodes
 from kitrobot.mission.model import Mission
 from kitrobot.primitives.constructors import Constructor
-from kitrobot.sim.recorder import strokes_now
 from kitrobot.sim.simulation import Simulation
-from kitrobot.sim.step.pens import pens_of
 from kitrobot.text.sentences import Label, Sentence
-from kitrobot.trace.drawing import Drawing
+from kitrobot.verifier.properties.properties import Property
 from kitrobot.workspace.exercises import handed_in
 from kitrobot.workspace.mission_loader import OpenMission, with_mission
 from kitrobot.workspace.mission_run import PreparedRun, RunOptions
 from kitrobot.workspace.search_path import SearchPath
 
-STRETCH: Final = 250
-"""Steps of the simulator between two looks at `stop`."""
-LEAST_MOVE_MM: Final = 1.0
-"""Points of a path are at least so far apart."""
 Progress = Callable[[int, int], None]
 """Called with how many pieces of work are over, and how many there are."""
 
@@ -55,7 +49,7 @@ class GoalVerdict:
     Attributes:
         goal: the goal.
         reached: whether it is reached; None where it was not evaluated.
-        why: what went wrong, "" when nothing did.
+        why: what went wrong; or how a check knows that nothing did; else "".
         seed: the run that shows it, if a run does.
         seconds: when in that run, in simulated seconds.
         runs: in how many of the `of` runs it was reached; both 0 for goals that are not of runs.
@@ -68,6 +62,15 @@ class GoalVerdict:
     seconds: float | None = None
     runs: int = 0
     of: int = 0
+
+    @property
+    def runs_ground(self) -> Sentence | str:
+        """How runs know that a property is kept; "" where they were not asked that."""
+        if not (self.reached and self.runs and isinstance(self.goal, CheckGoal)):
+            return ""
+        return Sentence.counted(
+            "seen in {count} run, which is no proof", "seen in {count} runs, which is no proof", self.runs
+        )
 
 
 @dataclass(frozen=True)
@@ -116,15 +119,22 @@ def evaluate_submission(
     opened: OpenMission,
     options: EvaluationOptions | None = None,
     progress: Progress | None = None,
-    given: Sequence[Constructor] = (),
+    start: OpenMission | None = None,
 ) -> Evaluation:
-    """Judges a submission that was put into the mission of its exercise; `given` are the own blocks of that mission."""
+    """Judges a submission that was put into the mission of its exercise, `start`."""
     options = options or EvaluationOptions()
     goals = exercise.goals_for(options.hidden)
-    seeds = options.seeds or exercise.seeds_for(options.hidden)
+    all_seeds = exercise.seeds_for(options.hidden)
+    seeds = options.seeds or all_seeds
+    try:
+        prepared = opened.prepare(RunOptions(seeds[0], exercise.seconds))
+    except ProblemsError as error:
+        return _unusable(goals, [one for one in error.diagnostics if one.is_error])
+    judges = assign_judges(prepared, [goal for goal in goals if isinstance(goal, CheckGoal)], start)
     run_goals = [goal for goal in goals if isinstance(goal, RunGoal)] if options.runs else []
-    checks = [goal for goal in goals if isinstance(goal, CheckGoal)] if options.checks else []
-    total = (len(seeds) if run_goals else 0) + len(checks)
+    watched = judges.runs if options.runs else []
+    checks = judges.checks if options.checks else []
+    total = (len(seeds) if run_goals or watched else 0) + len(checks)
     done = 0
 
     def count_done() -> None:
@@ -133,28 +143,16 @@ def evaluate_submission(
         if progress is not None:
             progress(done, total)
 
-    try:
-        prepared = opened.prepare(RunOptions(seeds[0], exercise.seconds))
-    except ProblemsError as error:
-        return _unusable(goals, [one for one in error.diagnostics if one.is_error])
-    found: dict[int, GoalVerdict] = {}
-    seen = collect_program_evidence(opened, given)
+    found = {id(goal): _of_check(goal, seen) for goal, seen in judges.nobody}
+    seen = collect_program_evidence(opened, start.mission.constructors if start is not None else ())
     for goal in goals:
         if isinstance(goal, ProgramGoal):
             fault = goal.fault(seen)
             found[id(goal)] = _verdict(goal, fault)
-    verdicts: dict[int, list[tuple[int, Fault | None]]] = {id(goal): [] for goal in run_goals}
-    if run_goals:
-        paths = any(goal.needs_path for goal in run_goals)
-        for seed in seeds:
-            run = collect_run_evidence(_simulation(prepared, seed), seed, paths, options.stop)
-            if run is None:
-                break
-            for goal in run_goals:
-                verdicts[id(goal)].append((seed, goal.fault(run)))
-            count_done()
-    for goal in run_goals:
-        found[id(goal)] = _of_runs(goal, verdicts[id(goal)], len(seeds))
+    if run_goals or watched:
+        is_whole = set(seeds) >= set(all_seeds)
+        in_runs = _judge_runs(prepared, seeds, is_whole, run_goals, watched, options.stop, count_done)
+        found |= {id(one.goal): one for one in in_runs}
     for alike in group_alike(checks):
         if options.stop():
             break
@@ -163,14 +161,56 @@ def evaluate_submission(
         for check in alike:
             # Only what is broken is known of a check that was cut.
             if not cut or seen_of[check.property].answer == "broken":
-                found[id(check)] = _verdict(check, check.fault(seen_of[check.property]))
+                found[id(check)] = _of_check(check, seen_of[check.property])
                 count_done()
     return Evaluation(tuple(found.get(id(goal), GoalVerdict(goal, None)) for goal in goals))
+
+
+def _judge_runs(
+    prepared: PreparedRun,
+    seeds: Sequence[int],
+    is_whole: bool,
+    goals: Sequence[RunGoal],
+    watched: Sequence[tuple[CheckGoal, Property]],
+    stop: Callable[[], bool],
+    count_done: Callable[[], None],
+) -> Iterator[GoalVerdict]:
+    """The verdicts of runs; `is_whole`: they are all of the exercise."""
+    faults: list[list[tuple[int, Fault | None]]] = [[] for _ in goals]
+    seen: list[list[CheckEvidence]] = [[] for _ in watched]
+    properties = {goal.property: one for goal, one in watched}
+    paths = any(goal.needs_path for goal in goals)
+    for seed in seeds:
+        run = collect_run_evidence(_simulation(prepared, seed), seed, paths, stop, properties)
+        if run is None:
+            break
+        for goal, told in zip(goals, faults, strict=True):
+            told.append((seed, goal.fault(run)))
+        for (check, _), shown in zip(watched, seen, strict=True):
+            shown.append(run.properties[check.property])
+        count_done()
+    yield from (_of_runs(goal, told, len(seeds)) for goal, told in zip(goals, faults, strict=True))
+    for (check, _), shown in zip(watched, seen, strict=True):
+        yield _of_property(check, shown, len(seeds), is_whole)
 
 
 def _unusable(goals: Iterable[Goal], problems: list[Diagnostic]) -> Evaluation:
     first = problems[0].message if problems else ""
     return Evaluation(tuple(GoalVerdict(goal, False, first) for goal in goals), tuple(problems))
+
+
+def _of_check(goal: CheckGoal, seen: CheckEvidence) -> GoalVerdict:
+    made = _verdict(goal, goal.fault(seen))
+    return replace(made, why=goal.ground(seen)) if made.reached else made
+
+
+def _of_property(goal: CheckGoal, found: list[CheckEvidence], wanted: int, is_whole: bool) -> GoalVerdict:
+    """The verdict of runs on a property. Those in which it never comes up say nothing of it, unless it is in all."""
+    told = [one for one in found if one.answer != "vacuous"]
+    if found and not told and len(found) == wanted:
+        return replace(_verdict(goal, goal.fault(found[0])), reached=False if is_whole else None, seed=None)
+    faults = [(one.seed or 0, goal.fault(one)) for one in told]
+    return _of_runs(goal, faults, wanted - len(found) + len(told))
 
 
 def _verdict(goal: Goal, fault: Fault | None) -> GoalVerdict:
@@ -179,7 +219,7 @@ def _verdict(goal: Goal, fault: Fault | None) -> GoalVerdict:
     return GoalVerdict(goal, False, fault.sentence, fault.seed, fault.seconds)
 
 
-def _of_runs(goal: RunGoal, found: list[tuple[int, Fault | None]], wanted: int) -> GoalVerdict:
+def _of_runs(goal: Goal, found: list[tuple[int, Fault | None]], wanted: int) -> GoalVerdict:
     wrong = [(seed, fault) for seed, fault in found if fault is not None]
     reached = len(found) - len(wrong)
     if not wrong:
@@ -264,60 +304,7 @@ def attached(program: Program) -> list[str]:
     return [kinds[vertex] for vertex in met if kinds[vertex] not in (START, STOP)]
 
 
-# -- what is seen of runs
-
-
 def _simulation(prepared: PreparedRun, seed: int) -> Simulation:
     if seed == prepared.options.seed:
         return prepared.again()
     return prepared.opened.prepare(replace(prepared.options, seed=seed)).simulation
-
-
-def collect_run_evidence(
-    simulation: Simulation, seed: int, with_paths: bool, stop: Callable[[], bool] = _never
-) -> RunEvidence | None:
-    """Runs a simulation that has a time limit to its end; None when `stop` said so before."""
-    # Compiling takes longer than the runs of an exercise.
-    simulation.stays_plain = True
-    names = [agent.name for agent in simulation.members]
-    paths: list[list[PathPoint]] = [[PathPoint(x, y, 0.0)] for x, y, *_ in simulation.poses()]
-    contacts: list[Contact] = []
-    drawing = Drawing(pens_of(simulation.members))
-    while simulation.outcome is None:
-        if simulation.tick % STRETCH == 0 and stop():
-            return None
-        simulation.advance(1 if with_paths else STRETCH)
-        for event in simulation.events:
-            if event.kind == "collision":
-                contacts.append(Contact(event.agent, event.tick * simulation.tick_ms / 1000, event.text))
-        if with_paths:
-            drawing.add(simulation.drawn)
-            _follow(simulation, paths)
-    if with_paths:
-        for path, (x, y, *_) in zip(paths, simulation.poses(), strict=True):
-            path.append(PathPoint(x, y, simulation.seconds))
-    return RunEvidence(
-        seed,
-        simulation.outcome,
-        simulation.sentence,
-        simulation.seconds,
-        tuple(contacts),
-        {name: tuple(path) for name, path in zip(names, paths, strict=True)} if with_paths else None,
-        _lines(simulation, drawing) if with_paths else None,
-    )
-
-
-def _lines(simulation: Simulation, drawing: Drawing) -> dict[str, tuple[tuple[PathPoint, ...], ...]]:
-    """What each agent's pens drew."""
-    found: dict[str, tuple[tuple[PathPoint, ...], ...]] = {agent.name: () for agent in simulation.members}
-    for stroke in strokes_now(simulation, drawing):
-        name = simulation.members[drawing.pens[stroke.pen].agent].name
-        found[name] += (tuple(PathPoint(x, y, simulation.seconds) for x, y in stroke.points),)
-    return found
-
-
-def _follow(simulation: Simulation, paths: list[list[PathPoint]]) -> None:
-    for path, (x, y, *_) in zip(paths, simulation.poses(), strict=True):
-        last = path[-1]
-        if abs(x - last.x) + abs(y - last.y) >= LEAST_MOVE_MM:
-            path.append(PathPoint(x, y, simulation.seconds))

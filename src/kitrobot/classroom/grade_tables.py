@@ -31,6 +31,14 @@ def by_exercise(grades: Sequence[Grade]) -> list[list[Grade]]:
     return list(found.values())
 
 
+def grounds(rows: Sequence[Grade]) -> Iterator[tuple[int, TextsByLanguage, int]]:
+    """How it is known that goals are reached: a goal's number, the ground, and in how many rows of an exercise."""
+    for number in range(1, len(rows[0].goals) + 1):
+        known = [goal.why for goal in (row.goals[number - 1] for row in rows) if goal.reached and goal.why["en"]]
+        for ground in {one["en"]: one for one in known}.values():
+            yield number, ground, known.count(ground)
+
+
 def as_csv(grades: Sequence[Grade]) -> str:
     """A line for each submission and goal: spreadsheets make any table of it. In English, with a byte order mark."""
     out = io.StringIO()
@@ -103,6 +111,10 @@ def _table(rows: Sequence[Grade]) -> str:
         for one in rows
     )
     wrong = "".join(item for one in rows for item in _wrong(one))
+    known = "".join(
+        f"<li>{number}: {_spans(ground)} <small>({count} / {len(rows)})</small></li>"
+        for number, ground, count in grounds(rows)
+    )
     return f"""<section>
 <h2>{_spans(rows[0].exercise)}</h2>
 <ol>{goals}</ol>
@@ -112,8 +124,13 @@ def _table(rows: Sequence[Grade]) -> str:
 {body}
 </tbody>
 </table></div>
-{f"<h3>{_spans(translate_all(Sentence('What went wrong')))}</h3><ul>{wrong}</ul>" if wrong else ""}
+{_list(Sentence("How it is known"), known)}
+{_list(Sentence("What went wrong"), wrong)}
 </section>"""
+
+
+def _list(heading: Sentence, items: str) -> str:
+    return f"<h3>{_spans(translate_all(heading))}</h3><ul>{items}</ul>" if items else ""
 
 
 def _remarks(goal: GoalGrade) -> str:

@@ -14,7 +14,13 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any, Final
 
-from kitrobot.checking.exercise_evaluation import EvaluationOptions, GoalVerdict, evaluate_submission, open_handed_in
+from kitrobot.checking.exercise_evaluation import (
+    Evaluation,
+    EvaluationOptions,
+    GoalVerdict,
+    evaluate_submission,
+    open_handed_in,
+)
 from kitrobot.classroom.grades import GoalGrade, texts_of, translate_all
 from kitrobot.diagnostics.model import KitRobotError, Source
 from kitrobot.diagnostics.problems import ProblemsError
@@ -128,11 +134,8 @@ def _judged(data: bytes, name: str, exercise: str | None) -> dict[str, Any]:
     mission, problems = read_mission(data, name)
     if mission is None:
         raise KitRobotError(next(one.message for one in problems if one.is_error))
-    ready = ready_exercise(Path(exercise)) if exercise is not None else _exercise_of(mission)
-    opened = open_handed_in(ready.start, mission, SearchPath(ready.folder))
-    made = evaluate_submission(
-        ready.exercise, opened, EvaluationOptions(hidden=True), given=ready.start.mission.constructors
-    )
+    ready = ready_exercise(Path(exercise)) if exercise is not None else exercise_of(mission)
+    made = evaluate_mission(mission, ready)
     return {
         "exercise": texts_of(ready.exercise.label),
         "file": str(ready.path),
@@ -141,7 +144,17 @@ def _judged(data: bytes, name: str, exercise: str | None) -> dict[str, Any]:
     }
 
 
-def _exercise_of(mission: Mission) -> ReadyExercise:
+def evaluate_mission(mission: Mission, ready: ReadyExercise) -> Evaluation:
+    """What comes of every goal of an exercise, the hidden ones too.
+
+    Raises:
+        AnotherMissionError: the mission is of another exercise.
+    """
+    opened = open_handed_in(ready.start, mission, SearchPath(ready.folder))
+    return evaluate_submission(ready.exercise, opened, EvaluationOptions(hidden=True), start=ready.start)
+
+
+def exercise_of(mission: Mission) -> ReadyExercise:
     """The exercise that comes along whose programs the mission has.
 
     Raises:
@@ -166,7 +179,7 @@ def goal_grade(verdict: GoalVerdict) -> GoalGrade:
         goal.points,
         goal.hidden,
         bool(verdict.reached),
-        translate_all(verdict.why),
+        translate_all(verdict.why or verdict.runs_ground),
         verdict.seed,
         verdict.seconds,
         verdict.runs,

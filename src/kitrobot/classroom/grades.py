@@ -18,7 +18,7 @@ TextsByLanguage = dict[str, str]
 
 @dataclass(frozen=True)
 class GoalGrade:
-    """What came of one goal: as `GoalVerdict`, in plain values.
+    """What came of one goal: as `GoalVerdict`, in plain values. `why` of a property that is kept is how that is known.
 
     `condition`: the mission that the exercise begins with reaches it.
     """

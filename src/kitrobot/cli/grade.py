@@ -94,7 +94,9 @@ def _tables(found: Sequence[Grade]) -> str:
 
 
 def _table(rows: Sequence[Grade]) -> list[str]:
-    """One exercise: what its goals are, a row for each submission, and what went wrong."""
+    """One exercise: what its goals are, a row for each submission, how properties are known, and what went wrong."""
+    from kitrobot.classroom.grade_tables import grounds
+
     goals = rows[0].goals
     names = [_line(one.submission) for one in rows]
     width = max(len(name) for name in names)
@@ -107,13 +109,17 @@ def _table(rows: Sequence[Grade]) -> list[str]:
     for name, row in zip(names, rows, strict=True):
         marks = "".join(f"{'✓' if goal.reached else '✗':>4}" for goal in row.goals)
         lines.append(f"  {name:<{width}}{marks}  {row.points} of {row.of}")
+    known = [
+        f"  {number}: {_line(ground['en'])}{f' ({count} of {len(rows)})' if len(rows) > 1 else ''}"
+        for number, ground, count in grounds(rows)
+    ]
     wrong = [
         f"  {name}, {number}: {_line(goal.why['en'])}{_where(goal.seed, goal.seconds)}"
         for name, row in zip(names, rows, strict=True)
         for number, goal in enumerate(row.goals, 1)
         if not goal.reached
     ]
-    return [*lines, *([""] if wrong else []), *wrong]
+    return [*lines, *([""] if known else []), *known, *([""] if wrong else []), *wrong]
 
 
 def _where(seed: int | None, seconds: float | None) -> str:

@@ -44,6 +44,8 @@ class RunEvidence:
     paths: Mapping[str, tuple[PathPoint, ...]] | None = None
     lines: Mapping[str, tuple[tuple[PathPoint, ...], ...]] | None = None
     """What each agent's pens drew, as `paths`: a line each."""
+    properties: Mapping[str, CheckEvidence] = field(default_factory=dict)
+    """What this run says of properties that were watched in it, by `CheckGoal.property`."""
 
 
 @dataclass(frozen=True)
@@ -65,12 +67,13 @@ class ProgramEvidence:
 
 @dataclass(frozen=True)
 class CheckEvidence:
-    """The result of checking one property under one assumption; `sentence` is the property in words.
+    """The result of checking one property under one assumption, or of watching it in one run; `sentence` is the
+    property in words.
 
     `answer` is `holds`, `broken`, `not finished`, `vacuous`, `nothing found` by an approximate search, or `none` where
     it could not be checked, and `sentence` says why. So many `states` were looked at. Of a broken one `seed` and
     `seconds` are the run of the simulator that shows it, where there is one that needs no failures, and `steps` what
-    happens in the shortest run of the model.
+    happens in the shortest run of the model. A run says `holds`, `broken` or `vacuous`.
     """
 
     answer: Literal["holds", "broken", "not finished", "nothing found", "vacuous", "none"]

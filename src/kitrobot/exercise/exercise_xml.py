@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
 from kitrobot.diagnostics.model import Diagnostic
 from kitrobot.exercise import rules
@@ -24,6 +25,7 @@ from kitrobot.exercise.goals import (
     VisitGoal,
 )
 from kitrobot.exercise.model import Exercise, Seed
+from kitrobot.mission.property_forms import FORMS, has_form, read_form
 from kitrobot.text.sentences import Sentence
 from kitrobot.xml.attributes import NAME, YES_NO, Attribute, decimal, needed, one, optional, whole
 from kitrobot.xml.element import Element, Tag
@@ -72,6 +74,11 @@ def read_exercise(data: bytes, name: str) -> tuple[Exercise | None, list[Diagnos
         if goal.seconds > seconds:
             words = Sentence("expected at most the {seconds} seconds of a run, found more", f"{seconds:g}")
             element.report(rules.GOAL, words, "seconds")
+    for check, element in root.found_at(CheckGoal):
+        if check.asked is not None and check.asked.seconds >= seconds:
+            # A run that ends with the deadline does not show what comes too late.
+            words = Sentence("expected less than the {seconds} seconds of a run, found no less", f"{seconds:g}")
+            element.report(rules.GOAL, words, "within" if "within" in element.attributes else "for")
     if root.faulty:
         return None, reader.diagnostics
     label, help = root.texts.get("label", {}), root.texts.get("help", {})
@@ -95,6 +102,22 @@ def _goal(kind: Callable[..., Goal], own: dict[str, Attribute]) -> Callable[[Ele
         )
 
     return read
+
+
+def _check_goal(element: Element) -> Goal:
+    """Reads a goal whose property is a ready one, or has a form of a mission's."""
+    asked = read_form(element, "asked") if has_form(element) else None
+    if has_form(element) and "property" in element.attributes:
+        words = Sentence("expected a ready property or one of your own in <{element}>, found both", element.name)
+        help = Sentence('leave out property="…", or make two goals of it')
+        element.report(rules.GOAL, words, "property", help)
+    name = str(asked.words) if asked is not None else "" if has_form(element) else element.choice("property")
+    made = _goal(partial(CheckGoal, property=name, asked=asked, place=element.place()), _OF_CHECKS)(element)
+    used = [word for word in _OF_CHECKS if word in element.attributes]
+    if used and asked is not None and asked.counts_seconds:
+        words = Sentence("{attribute} is of a check, and this property counts seconds, so runs judge it", used[0])
+        element.report(rules.GOAL, words, used[0], Sentence("leave it out"))
+    return made
 
 
 def _value(element: Element, name: str, attribute: Attribute) -> str | int | float:
@@ -129,6 +152,14 @@ _PLACE = decimal(-_FAR, _FAR)
 _AGENT = optional(NAME, about="The agent that is meant.")
 _PROGRAM = optional(NAME, about="The program that is meant; all together, when left out.")
 _PART = needed(NAME, about="A constructor, such as Parallelism, or a part's method, such as Wheel.Advance.")
+_OF_CHECKS = {
+    "timing": optional(one(*TIMINGS), "lockstep", about="The assumption about time."),
+    "failures": optional(whole(0, 1), "0", about="Up to so many failures."),
+    "states": optional(whole(1000, MOST_STATES), "100000", about="Where the exact search is cut."),
+    "approximate": optional(
+        YES_NO, "no", about="Whether it is enough that an approximate search behind it finds nothing."
+    ),
+}
 KINDS = {
     "done": _tag(DoneGoal, "Every run ends as done: the mission's goals are reached, or all programs ended."),
     "within": _tag(TimeLimitGoal, "Every run is done after that time.", {"seconds": needed(decimal(0.1, LONGEST_S))}),
@@ -162,18 +193,13 @@ KINDS = {
     ),
     "avoids": _tag(AvoidanceGoal, "A part is not used.", {"part": _PART, "program": _PROGRAM}),
     "parts": _tag(Parts, "There are not more parts.", {"most": needed(whole(1, 1000)), "program": _PROGRAM}),
-    "holds": _tag(
-        CheckGoal,
-        "A property of `kitrobot verify` holds, whatever the order of events.",
-        {
-            "property": needed(one(*PROPERTIES)),
-            "timing": optional(one(*TIMINGS), "lockstep", about="The assumption about time."),
-            "failures": optional(whole(0, 1), "0", about="Up to so many failures."),
-            "states": optional(whole(1000, MOST_STATES), "100000", about="Where the exact search is cut."),
-            "approximate": optional(
-                YES_NO, "no", about="Whether it is enough that an approximate search behind it finds nothing."
-            ),
-        },
+    "holds": replace(
+        _tag(
+            CheckGoal,
+            "A property holds: a ready one of `kitrobot verify`, or one in a form of a mission's properties.",
+            {"property": optional(one(*PROPERTIES), about="A ready one."), **FORMS, **_OF_CHECKS},
+        ),
+        close=_check_goal,
     ),
 }
 """The element of each kind of goal."""

@@ -1,17 +1,19 @@
 """The kinds of goals and how each is decided: a closed set, one class for each.
 
 `fault` of a goal returns what is wrong with the given `evidence`, or None when the goal is reached. Run goals get each
-run, program goals all programs, check goals one verdict. `exercise_xml` gives each its element and attributes, whose
-names are those of the fields.
+run, program goals all programs, check goals what a check or a run says of the property. `exercise_xml` gives each its
+element and attributes, whose names are those of the fields.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
+from kitrobot.diagnostics.model import Place
 from kitrobot.exercise.evidence import CheckEvidence, PathPoint, ProgramEvidence, RunEvidence
 from kitrobot.exercise.figures import figure_fault
+from kitrobot.mission.property_forms import AskedProperty
 from kitrobot.primitives.robot import Texts
 from kitrobot.text.sentences import SEMICOLON, Sentence, Series
 
@@ -70,8 +72,11 @@ class ProgramGoal(Goal):
 
 @dataclass(frozen=True)
 class CheckGoal(Goal):
-    """`<holds>`: a property of `kitrobot verify` holds. `states` bounds the exact search, behind which an approximate
-    one finds what is broken; that it finds nothing counts if the goal is `approximate`.
+    """`<holds>`: a property holds. `states` bounds the exact search, behind which an approximate one finds what is
+    broken; that it finds nothing counts if the goal is `approximate`.
+
+    `property` is the name of a ready one. Of one of the exercise's own, `asked`, it is what that demands in words; one
+    that counts seconds is judged by runs. `place` is where it stands in the exercise's file.
     """
 
     property: str
@@ -79,9 +84,21 @@ class CheckGoal(Goal):
     failures: int
     states: int
     approximate: bool
+    asked: AskedProperty | None = None
+    place: Place | None = field(default=None, compare=False)
+
+    def ground(self, seen: CheckEvidence) -> Sentence | str:
+        """How a check knows that the goal is reached; "" where it is not."""
+        if seen.answer == "holds":
+            return Sentence("proved for every order of events of the model ({timing})", self.timing)
+        if seen.answer == "nothing found" and self.approximate:
+            return Sentence(
+                "not proved; nothing was found in {states} states, and some may have been missed", f"{seen.states:,}"
+            )
+        return ""
 
     def fault(self, seen: CheckEvidence) -> Fault | None:
-        """What is wrong with what came of the check."""
+        """What is wrong with what a check or a run says of it."""
         match seen.answer:
             case "holds":
                 return None
@@ -103,8 +120,10 @@ class CheckGoal(Goal):
                 )
             case "none":
                 return Fault(Sentence("this could not be checked: {reason}", seen.sentence))
+        if not seen.steps and seen.seed is not None:
+            return Fault(Sentence("{property}: a run breaks it", seen.sentence), seen.seconds, seen.seed)
         if not seen.steps:
-            return Fault(Sentence("{property}: it can go wrong", seen.sentence), seen.seconds, seen.seed)
+            return Fault(Sentence("{property}: it can go wrong", seen.sentence))
         steps = Series(SEMICOLON, seen.steps)
         words = Sentence("{property}: it can go wrong when {steps}", seen.sentence, steps)
         return Fault(words, seen.seconds, seen.seed)

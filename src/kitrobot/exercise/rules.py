@@ -9,7 +9,7 @@ GOAL = rule(
     Severity.ERROR,
     "A goal of an exercise cannot be judged",
     "Every goal has a `<label>` in English; `<within>` is at most the `seconds` of the exercise, and `<holds>` names a "
-    "property of `kitrobot verify`.",
+    "property of `kitrobot verify` or has a form of a mission's properties, about what its first mission has.",
 )
 START = rule(
     "exercise-start",

@@ -15,7 +15,6 @@ from kitrobot.checking.verification_result import Finding, Verification
 from kitrobot.experiments.run_question import OUTCOMES, RunJudge
 from kitrobot.judges.judgement import Judge, JudgeAnswer, JudgeError, Judgement
 from kitrobot.judges.many_runs import FailureOptions, judge_failures, judge_runs
-from kitrobot.mission.property_forms import Form
 from kitrobot.mission.property_text import PropertyText, read_property
 from kitrobot.text.phrases import listed, shown
 from kitrobot.text.sentences import COMMA, Sentence, Series
@@ -198,8 +197,7 @@ def _check_refusal(prepared: PreparedRun, question: PropertyText) -> Sentence | 
     asked = question.asked or next(
         (one for one in prepared.opened.mission.properties if one.name == question.name), None
     )
-    is_timed = asked is not None and (asked.seconds > 0 or asked.form is Form.HOLDS)
-    if is_timed or question.within_s is not None:
+    if (asked is not None and asked.counts_seconds) or question.within_s is not None:
         return Sentence("it counts seconds, and the states of a check have none")
     if asked is None and question.name in OUTCOMES:
         return Sentence("an outcome is of runs; a check is asked for properties")

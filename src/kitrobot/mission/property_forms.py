@@ -6,8 +6,8 @@
     <property name="keeps" stays="any carrier-1 (Cargo.IsPressed())" until="any carrier-1 (Sign.EqualTo(3))"/>
     <property name="round" visit="any carrier-1 (Sign.EqualTo(0)); any carrier-1 (Sign.EqualTo(3))" order="turn"/>
 
-Left to others: the same as a line of text (property_text); what the conditions mean, and whether they hold (verifier);
-that their names are there (workspace).
+Goals of exercises have the same attributes (`FORMS`), and no name. Left to others: the same as a line of text
+(property_text); what the conditions mean, and whether they hold (verifier); that their names are there (workspace).
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from annotated_types import Ge, Le, MaxLen, MinLen
 from kitrobot.mission import rules
 from kitrobot.mission.trial import LONGEST_CONDITION, LONGEST_S
 from kitrobot.text.sentences import COMMA, Sentence, Series
-from kitrobot.xml.attributes import decimal, needed, one, optional, whole
+from kitrobot.xml.attributes import Attribute, decimal, needed, one, optional, whole
 from kitrobot.xml.element import Element, Tag
 from kitrobot.xml.writer import attributes
 
@@ -128,6 +128,11 @@ class AskedProperty:
         return self.texts
 
     @property
+    def counts_seconds(self) -> bool:
+        """Whether it counts seconds, which the states of a check do not have."""
+        return self.seconds > 0 or self.form is Form.HOLDS
+
+    @property
     def words(self) -> Sentence:
         """What it demands."""
         plain = self._plain_words
@@ -185,12 +190,20 @@ def split_conditions(text: str) -> list[str]:
     return [part.strip() for part in parts]
 
 
-def _property(element: Element) -> AskedProperty | None:
-    name = element.required("name")
-    found = tuple(word for word in _WORDS if word in element.attributes)
+def has_form(element: Element) -> bool:
+    """Whether an element has one of the attributes `FORMS` at all."""
+    return any(word in element.attributes for word in FORMS)
+
+
+def read_form(element: Element, name: str) -> AskedProperty | None:
+    """Reads the property of that name from an element with the attributes `FORMS`; None if it has a mistake."""
+    found = tuple(word for word in FORMS if word in element.attributes)
     form = next((form for form, shape in _SHAPES.items() if _is_shape(shape, found)), None)
     if form is None:
-        message = Sentence("the attributes of <property> are of none of its forms: {found}", Series(COMMA, found))
+        message = Sentence(
+            "the attributes of <{element}> are of none of the forms of a property: {found}",
+            *(element.name, Series(COMMA, found)),
+        )
         if not found:
             message = Sentence("expected what the <property> demands")
         help = Sentence('write one of these forms, such as never="any carrier (Collision.IsPressed())"')
@@ -221,29 +234,29 @@ def _is_shape(shape: _Shape, found: tuple[str, ...]) -> bool:
 
 
 _SECONDS = decimal(0.0, LONGEST_S)
-_WORDS = tuple(dict.fromkeys(word for shape in _SHAPES.values() for words in shape for word in words))
+FORMS: dict[str, Attribute] = {
+    "never": optional(about="A condition that never holds."),
+    "while": optional(about="Beside never: only while this condition holds."),
+    "after": optional(about="A condition after which that of eventually comes, always."),
+    "eventually": optional(about="A condition that comes in the end."),
+    "stays": optional(about="A condition that, once it holds, holds on until that of until comes."),
+    "until": optional(),
+    "holds": optional(about="A condition that, once it holds, holds on for so many seconds."),
+    "for": optional(_SECONDS),
+    "at-most": optional(about="A condition that begins to hold at most so many times."),
+    "times": optional(whole(0, MOST_TIMES)),
+    "first": optional(about="A condition that comes before that of before."),
+    "before": optional(),
+    "again": optional(about="Conditions that each come again and again, with semicolons between them."),
+    "visit": optional(about="Conditions that each come, with semicolons between them."),
+    "order": optional(one(*VisitOrder), VisitOrder.ANY, about="Of a visit: the order in which they come."),
+    "within": optional(_SECONDS, about="In how many simulated seconds what is expected comes."),
+}
+"""The attributes of an element that says a property."""
 PROPERTIES: dict[str, Tag] = {
     "property": Tag(
-        _property,
-        {
-            "name": needed(),
-            "never": optional(about="A condition that never holds."),
-            "while": optional(about="Beside never: only while this condition holds."),
-            "after": optional(about="A condition after which that of eventually comes, always."),
-            "eventually": optional(about="A condition that comes in the end."),
-            "stays": optional(about="A condition that, once it holds, holds on until that of until comes."),
-            "until": optional(),
-            "holds": optional(about="A condition that, once it holds, holds on for so many seconds."),
-            "for": optional(_SECONDS),
-            "at-most": optional(about="A condition that begins to hold at most so many times."),
-            "times": optional(whole(0, MOST_TIMES)),
-            "first": optional(about="A condition that comes before that of before."),
-            "before": optional(),
-            "again": optional(about="Conditions that each come again and again, with semicolons between them."),
-            "visit": optional(about="Conditions that each come, with semicolons between them."),
-            "order": optional(one(*VisitOrder), VisitOrder.ANY, about="Of a visit: the order in which they come."),
-            "within": optional(_SECONDS, about="In how many simulated seconds what is expected comes."),
-        },
+        lambda element: read_form(element, element.required("name")),
+        {"name": needed(), **FORMS},
         kept_whole=True,
         about="What is demanded of every run. Conditions are LLL such as any carrier (Cargo.IsPressed()).",
     )

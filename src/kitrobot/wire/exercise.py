@@ -16,12 +16,14 @@ from kitrobot.wire.values import View
 from kitrobot.workspace.exercises import FoundExercise
 from kitrobot.xml.lessons import LAST
 
-GoalKind = Literal["program", "run", "check"]
+GoalKind = Literal["program", "run", "check", "watched"]
 JudgingName = Annotated[str, Field(max_length=100)]
 
 
 class ExerciseGoalShape(BaseModel):
-    """A goal; `kind` is what it is decided from."""
+    """A goal; `kind` is what it is decided from. `watched` is a property that only runs can judge; where no check of a
+    mission can, runs judge a `check` too.
+    """
 
     label: dict[str, str]
     kind: GoalKind
@@ -62,8 +64,8 @@ class StopJudgingShape(BaseModel):
 
 
 class GoalVerdictShape(View):
-    """What came of a goal; `reached` is null where this piece says nothing of it. `seed` and `seconds` are the run and
-    the moment that show what went wrong.
+    """What came of a goal; `reached` is null where this piece says nothing of it. `why` is what went wrong, or how a
+    check knows that it is reached. `seed` and `seconds` are the run and the moment that show what went wrong.
     """
 
     reached: bool | None
@@ -98,7 +100,9 @@ def exercise_shape(found: FoundExercise) -> ExerciseShape:
 
 
 def _kind(goal: Goal) -> GoalKind:
-    return "program" if isinstance(goal, ProgramGoal) else "check" if isinstance(goal, CheckGoal) else "run"
+    if isinstance(goal, CheckGoal):
+        return "watched" if goal.asked is not None and goal.asked.counts_seconds else "check"
+    return "program" if isinstance(goal, ProgramGoal) else "run"
 
 
 def goal_verdict_shapes(made: Evaluation) -> list[GoalVerdictShape]:

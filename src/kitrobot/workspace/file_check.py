@@ -14,6 +14,7 @@ from pathlib import Path
 from kitrobot.compiler.compilation import compile_text
 from kitrobot.diagnostics.model import Diagnostic, KitRobotError, Place, Severity, Source, rule
 from kitrobot.diagnostics.problems import ProblemsError
+from kitrobot.diagnostics.regular import named_file
 from kitrobot.exercise.exercise_xml import read_exercise
 from kitrobot.files.disk import FileError, decode, read_bytes
 from kitrobot.files.examples import find_mission
@@ -28,6 +29,7 @@ from kitrobot.tutorial.tutorial_xml import read_tutorial
 from kitrobot.workspace.images import read_image, read_listing, why_unsafe
 from kitrobot.workspace.kit_files import wiring_problems
 from kitrobot.workspace.mission_loader import open_mission
+from kitrobot.workspace.property_check import goal_problems
 from kitrobot.workspace.robot_devices import robot_problems
 from kitrobot.world.xml_reader import read_world
 
@@ -194,7 +196,11 @@ def _xml(path: Path, robot: Robot | None) -> FileReport:
     elif kind == "tutorial" or (kind not in _READERS and lower.endswith(".tutorial.xml")):
         _, found = read_tutorial(data, name)
     elif kind == "exercise" or (kind not in _READERS and lower.endswith(".exercise.xml")):
-        _, found = read_exercise(data, name)
+        exercise, found = read_exercise(data, name)
+        start = named_file(path.parent, exercise.start) if exercise is not None else None
+        if exercise is not None and start is not None:
+            opened = open_mission(start)
+            found += goal_problems(exercise, opened.mission, opened.catalogue)
     elif kind == "constructors" or first is None or lower.endswith("constructors.xml"):
         _, found = read_constructors(data, name)
         found += _among_others(path, found)

@@ -508,8 +508,11 @@ export interface Exercise {
   problems: Problem[];
 }
 
-/** A goal; `kind` is what it is decided from. */
-export type ExerciseGoal = { label: Record<string, string>; kind: "program" | "run" | "check" };
+/**
+ * A goal; `kind` is what it is decided from. `watched` is a property that only runs can judge; where no check of a
+ * mission can, runs judge a `check` too.
+ */
+export type ExerciseGoal = { label: Record<string, string>; kind: "program" | "run" | "check" | "watched" };
 
 /** A study that is asked for; `seconds` is the longest simulated time of a run, `fail_rate` (0…1) as in a run. */
 export interface ExperimentAsk {
@@ -624,8 +627,8 @@ export type Goal = { storehouse: string; stock: string };
 export type GoalReport = { reached: boolean | null; why?: string };
 
 /**
- * What came of a goal; `reached` is null where this piece says nothing of it. `seed` and `seconds` are the run and the
- * moment that show what went wrong.
+ * What came of a goal; `reached` is null where this piece says nothing of it. `why` is what went wrong, or how a check
+ * knows that it is reached. `seed` and `seconds` are the run and the moment that show what went wrong.
  */
 export type GoalVerdict = { reached: boolean | null; why: string; seed: number | null; seconds: number | null };
 

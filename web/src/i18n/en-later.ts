@@ -62,6 +62,10 @@ export const LATER_EN = {
   "exercise.stopped": "Judging was stopped.",
   "exercise.play": "Watch what went wrong",
   "exercise.play-at": "Watch what went wrong: at {seconds} s",
+  "exercise.seen": {
+    one: "Seen in {count} run, which is no proof.",
+    other: "Seen in {count} runs, which is no proof.",
+  },
   "exercise.goal-open": "open",
   "exercise.goal-reached": "reached",
   "exercise.goal-missed": "not reached yet",

@@ -53,7 +53,7 @@ def _judged(studio: Studio, wanted: JudgeShape, stop: StopSignal) -> JudgedShape
     checks = wanted.seed is None
     seeds = () if wanted.seed is None else (wanted.seed,)
     options = EvaluationOptions(seeds=seeds, runs=not checks, checks=checks, stop=stop.is_set)
-    made = evaluate_submission(exercise, opened, options, given=start.mission.constructors)
+    made = evaluate_submission(exercise, opened, options, start=start)
     return JudgedShape(goals=goal_verdict_shapes(made), mission=mission_shape(mission))
 
 

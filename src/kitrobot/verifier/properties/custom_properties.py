@@ -143,7 +143,7 @@ class _ModelCondition:
 
 
 def _property(model: Model, one: AskedProperty, parsed: Sequence[AgentCondition]) -> Property:
-    if one.seconds or one.form is Form.HOLDS:
+    if one.counts_seconds:
         raise PropertyError(
             Sentence("it counts seconds, and the states of a check have none"),
             Sentence("ask it of runs (`kitrobot judge --by runs`), of failures or of a recording"),
@@ -265,6 +265,10 @@ class _ConditionMonitor:
     @property
     def is_decided_at_beginning(self) -> bool:
         return self._automaton.decided_at == 0
+
+    @property
+    def is_vacuous(self) -> bool:
+        return not self._automaton.came_up
 
     def after_step(self) -> bool:
         if self._run.tick == 1:

@@ -41,6 +41,7 @@ class PropertyAutomaton:
         standing: how it stands.
         waits_since: the tick since which something is waited for; -1 for nothing.
         decided_at: the tick in which `standing` stopped being OPEN; -1 before.
+        came_up: whether what it is about came; of the forms that expect something from the beginning, always.
     """
 
     asked: AskedProperty
@@ -48,6 +49,7 @@ class PropertyAutomaton:
     standing: PropertyState = PropertyState.OPEN
     waits_since: int = -1
     decided_at: int = -1
+    came_up: bool = field(init=False)
     _count: int = 0
     _visited: set[int] = field(default_factory=set)
     _last: list[int] = field(default_factory=list)
@@ -57,8 +59,21 @@ class PropertyAutomaton:
         size = len(self.asked.conditions)
         self._before = (False,) * size
         self._last = [0] * size
+        self.came_up = self._subjects == 0
         if self.asked.form in (Form.EVENTUALLY, Form.AGAIN, Form.VISIT):
             self.waits_since = 0
+
+    @property
+    def _subjects(self) -> int:
+        """How many of its first conditions are what it is about; 0 of what is expected from the beginning."""
+        match self.asked.form:
+            case Form.AFTER | Form.STAYS | Form.HOLDS | Form.AT_MOST:
+                return 1
+            case Form.BEFORE:
+                return 2
+            case Form.NEVER if self.asked.second:
+                return 2
+        return 0
 
     @property
     def deadline(self) -> int | None:
@@ -75,6 +90,7 @@ class PropertyAutomaton:
         """
         if self.standing is PropertyState.OPEN:
             now = tuple(truths)
+            self.came_up = self.came_up or any(now[: self._subjects])
             comes = tuple(one and not was for one, was in zip(now, self._before, strict=True))
             self.standing = _STEPS[self.asked.form](self, tick, now, comes)
             self._before = now

@@ -31,6 +31,10 @@ class RunMonitor(Protocol):
     def is_decided_at_beginning(self) -> bool:
         """Whether it was decided before the first step, by what was true then."""
 
+    @property
+    def is_vacuous(self) -> bool:
+        """Whether what the property is about did not come yet."""
+
     def after_step(self) -> bool:
         """Whether the step that was just made broke it."""
 
@@ -49,6 +53,7 @@ class _InvariantMonitor:
 
     is_kept = False
     is_decided_at_beginning = False
+    is_vacuous = False
 
     def __init__(self, test: Callable[[], bool], *own: list[Any]) -> None:
         self._test = test
@@ -75,6 +80,7 @@ class _WaitMonitor:
 
     is_kept = False
     is_decided_at_beginning = False
+    is_vacuous = False
 
     def __init__(self, run: Simulation, test: Callable[[], bool], outcomes: Sequence[str] = ENDED) -> None:
         self._run = run

@@ -149,6 +149,11 @@ class RunObserver:
         return self._monitor is not None and self._monitor.is_kept
 
     @property
+    def is_vacuous(self) -> bool:
+        """Whether what the property is about did not come yet."""
+        return self._monitor is not None and self._monitor.is_vacuous
+
+    @property
     def decided_at(self) -> int:
         """The step in which that, or a violation, was decided: the last one, or 0 for the beginning of the run."""
         return 0 if self._monitor is not None and self._monitor.is_decided_at_beginning else self._run.tick

@@ -27,7 +27,7 @@ const EXERCISE: Exercise = {
   seconds: 60,
   seeds: [1, 2],
   goals: [
-    { label: { "": "All arrive" }, kind: "run" },
+    { label: { "": "All arrive" }, kind: "watched" },
     { label: { "": "Nobody touches" }, kind: "run" },
     { label: { "": "No deadlock" }, kind: "check" },
   ],
@@ -80,6 +80,7 @@ it("judges every run; what went wrong is told and is played as it was judged, an
   expect(says()).toBe("Judged in 2 runs.");
   expect([state(1), state(2), state(3)]).toEqual(["reached", "missed", "reached"]);
   expect(hands.find("exercise-count").textContent).toBe("2 of 3 goals");
+  expect(hands.find("exercise-goal-1").textContent).toContain("Seen in 2 runs, which is no proof.");
   const goal = hands.find("exercise-goal-2");
   expect(goal.textContent).toContain("carrier-2 touches carrier-1");
   const watch = [...goal.querySelectorAll("button")].find(({ textContent }) => textContent?.includes("at 2.0 s"));

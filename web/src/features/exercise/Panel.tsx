@@ -15,7 +15,7 @@ import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
 import { Tool } from "../../ui/Tool";
 import { judgeAll, keepExercise, leave, openExercise, play, stopJudging, useExercise } from "./exercise-session";
-import { type Mark, OPEN } from "./marks";
+import { groundOf, type Mark, OPEN } from "./marks";
 
 const ICONS = { open: "circle", reached: "circle-check", missed: "circle-x" } as const;
 const WORDS = {
@@ -25,6 +25,7 @@ const WORDS = {
 } as const;
 
 function Goal({ label, mark, at }: { label: string; mark: Mark; at: number }) {
+  const ground = groundOf(mark);
   const seconds = mark.seconds === null ? null : mark.seconds.toFixed(1);
   return (
     <li
@@ -35,9 +36,9 @@ function Goal({ label, mark, at }: { label: string; mark: Mark; at: number }) {
       <Icon name={ICONS[mark.state]} size={18} label={t(WORDS[mark.state])} />
       <span className="exercise-goal-words column slim">
         <span>{label}</span>
-        {mark.why === "" ? null : (
+        {ground === "" ? null : (
           <span className="muted small-text breakable">
-            <Said text={mark.why} />
+            <Said text={ground} />
           </span>
         )}
       </span>

@@ -17,7 +17,7 @@ import { remember, setGoals, useOpenExercise } from "../../session/open-exercise
 import { openMissionOfLesson } from "../../session/open-requests";
 import { isLive, useRun } from "../../session/run";
 import { endAll, listen } from "../../ui/effects";
-import { type Mark, noMarks, pieces, withVerdicts } from "./marks";
+import { groundOf, type Mark, noMarks, pieces, withVerdicts } from "./marks";
 
 /** What the marks are of: nothing yet, one run, every run, or as far as judging came before it was stopped. */
 export type Basis =
@@ -119,7 +119,7 @@ async function judge(
     for (const [done, seed] of seeds.entries()) {
       const { goals, mission } = await exerciseApi.judge(exercise.name, of, seed, name, mine.signal);
       if (mine.signal.aborted) return;
-      const found = withVerdicts(useExercise.getState().marks, goals);
+      const found = withVerdicts(useExercise.getState().marks, goals, exercise.goals);
       set({ marks: found, judged: mission, busy: { done: done + 1, total: seeds.length } });
       if (isStopping()) {
         set({ basis: { kind: "stopped" }, busy: null });
@@ -217,8 +217,9 @@ export function keepExercise(): () => void {
   const offMarks = useExercise.subscribe(({ marks }, before) => {
     tellLesson();
     if (marks === before.marks) return;
-    const goals = marks.map(({ state, why }) => ({ reached: state === "open" ? null : state === "reached", why }));
-    setGoals(goals);
+    setGoals(
+      marks.map((mark) => ({ reached: mark.state === "open" ? null : mark.state === "reached", why: groundOf(mark) })),
+    );
   });
   const offFocus = listen(window, { focus: () => void lookForExercises() });
   return endAll(drop, offStudio, offRun, offMarks, offOpen, offFocus, () => setOpenLesson("exercise", null));

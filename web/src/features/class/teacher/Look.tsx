@@ -93,7 +93,7 @@ function Goals({ folder }: { folder: string }) {
             />
             <span>
               {text(label)}
-              {goal === undefined || reached || !goal.why ? null : (
+              {goal === undefined || !goal.why ? null : (
                 <small className="block regular">
                   <Said text={goal.why} />
                 </small>
