@@ -26,6 +26,9 @@ MOST_BITS = 640
 """Of a number: more than any robot has sensors, whose forcing is one bit each, and little enough for a float."""
 
 
+_UNFOLDED = tuple((folded >> 1) ^ -(folded & 1) for folded in range(128))
+
+
 def _put(out: bytearray, number: int) -> None:
     while number > 127:
         out.append(number & 127 | 128)
@@ -188,17 +191,21 @@ class _Bytes:
 
     def add_changes(self, numbers: list[int]) -> None:
         """Adds a record's changes to the numbers: most of a trace, so that the common numbers need no call."""
-        data, index = self.data, 0
-        for _ in range(self.count()):
-            at = self.at
+        count, index = self.count(), 0
+        data, at = self.data, self.at
+        for _ in range(count):
             skipped, folded = data[at], data[at + 1]
             if skipped | folded < 128:
-                self.at = at + 2
+                at += 2
+                change = _UNFOLDED[folded]
             else:
-                skipped, folded = self.number(), self.number()
+                self.at = at
+                skipped, change = self.number(), self.signed()
+                at = self.at
             index += skipped
-            numbers[index] += (folded >> 1) ^ -(folded & 1)
+            numbers[index] += change
             index += 1
+        self.at = at
 
     def text(self) -> str:
         length = self.number()
