@@ -184,7 +184,7 @@ def test_cdr_is_what_rosbags_writes(whole: list[int], texts: list[str]) -> None:
     store.register(get_types_from_msg("int32 sec\nuint32 nanosec\nstring a\nstring b\nint32[] more\n", "x/msg/X"))
     kind = store.types["x/msg/X"]
     theirs = store.serialize_cdr(kind(3, 4, *texts, numpy.array(whole, "int32")), "x/msg/X")
-    assert encode_texts((3, 4), texts, whole) == bytes(theirs)
+    assert encode_texts((3, 4), tuple(texts), tuple(whole)) == bytes(theirs)
     string = store.types["std_msgs/msg/String"]
     assert encode_text(texts[0]) == bytes(store.serialize_cdr(string(texts[0]), "std_msgs/msg/String"))
 
@@ -249,7 +249,9 @@ def test_a_chunk_has_its_messages_in_the_order_of_their_times() -> None:
     file = writer.finish()
     found = [
         (channel.topic, message.log_time, message.publish_time, struct.unpack("<4xd", message.data)[0])
-        for _, channel, message in NonSeekingReader(BytesIO(file), validate_crcs=True).iter_messages(log_time_order=False)
+        for _, channel, message in NonSeekingReader(BytesIO(file), validate_crcs=True).iter_messages(
+            log_time_order=False
+        )
     ]
     assert found == [
         ("/c", 0, 0, 5.0),

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 ENCAPSULATION: Final = b"\x00\x01\x00\x00"
 
+_STAMP: Final = struct.Struct("<iI")
 _SIZES: Final = {"d": 8, "i": 4, "I": 4, "B": 1}
 
 
@@ -80,21 +81,24 @@ class CdrLayout:
         self._bytes += bytes(-(len(self._bytes) - len(ENCAPSULATION)) % size)
 
 
-def encode_texts(stamp: tuple[int, int], texts: Sequence[str], whole: Sequence[int] | None = None) -> bytes:
+def encode_texts(stamp: tuple[int, int], texts: tuple[str, ...], whole: tuple[int, ...] | None = None) -> bytes:
     """A message of a time (seconds, nanoseconds), strings, and, where `whole` is given, a sequence of int32.
 
     Raises:
         struct.error: a number is beyond 32 bits.
     """
-    return _texts_layout(tuple(texts), None if whole is None else len(whole)).encode((*stamp, *(whole or ())))
+    return ENCAPSULATION + _STAMP.pack(*stamp) + _after_stamp(texts, whole)
 
 
 @lru_cache(1000)
-def _texts_layout(texts: tuple[str, ...], whole: int | None) -> CdrLayout:
+def _after_stamp(texts: tuple[str, ...], whole: tuple[int, ...] | None) -> bytes:
+    """Commands of a run say few different things."""
     layout = CdrLayout().numbers("iI")
     for text in texts:
         layout.text(text)
-    return layout if whole is None else layout.length(whole).numbers("i" * whole)
+    if whole is not None:
+        layout.length(len(whole)).numbers("i" * len(whole))
+    return layout.encode((0, 0, *(whole or ())))[len(ENCAPSULATION) + _STAMP.size :]
 
 
 def encode_text(text: str) -> bytes:
