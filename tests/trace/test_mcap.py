@@ -6,14 +6,16 @@ import json
 import math
 import struct
 from collections.abc import Iterator
+from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
 from typing import Any
 
+import numpy
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from mcap.reader import make_reader
+from mcap.reader import NonSeekingReader, make_reader
 from rosbags.highlevel import AnyReader
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from zstandard import ZstdCompressor
@@ -25,6 +27,7 @@ from kitrobot.trace.model import (
     TickRecord,
     TraceAgent,
     TraceCommand,
+    TraceError,
     TraceEvent,
     TraceHeader,
 )
@@ -139,6 +142,18 @@ def test_the_same_recording_gives_the_same_bytes_and_what_does_not_change_is_sai
     assert exported(source).read_bytes() == bag.read_bytes()
 
 
+def test_what_becomes_messages_together_leaves_no_trace(tmp_path: Path) -> None:
+    source = recording(tmp_path / "long.krtrace", header(), 3000)
+    bag = exported(source)
+    summary = make_reader(BytesIO(bag.read_bytes())).get_summary()
+    assert summary is not None
+    assert len(summary.chunk_indexes) > 1
+    step = TICK_MS * 1_000_000
+    assert [time for time, _ in messages(bag, "/tf")] == [tick * step for tick in range(3000)]
+    loads = [(time, value.data) for time, value in messages(bag, "/_1st/load")]
+    assert loads == [(tick * step, -(1500.0 + tick)) for tick in range(3000)]
+
+
 def test_a_real_robot_has_no_place_and_a_cut_recording_goes_as_far_as_it_goes(tmp_path: Path) -> None:
     bag = exported(recording(tmp_path / "real.krtrace", header(frozenset(NAMES)), 3))
     assert list(messages(bag, "/tf")) == []
@@ -167,11 +182,9 @@ def test_names_of_topics_are_distinct_and_what_ros_takes(names: list[str]) -> No
 def test_cdr_is_what_rosbags_writes(whole: list[int], texts: list[str]) -> None:
     store = get_typestore(Stores.ROS2_JAZZY)
     store.register(get_types_from_msg("int32 sec\nuint32 nanosec\nstring a\nstring b\nint32[] more\n", "x/msg/X"))
-    import numpy
-
     kind = store.types["x/msg/X"]
     theirs = store.serialize_cdr(kind(3, 4, *texts, numpy.array(whole, "int32")), "x/msg/X")
-    assert encode_texts((3, 4), texts, whole) == bytes(theirs)
+    assert encode_texts((3, 4), tuple(texts), tuple(whole)) == bytes(theirs)
     string = store.types["std_msgs/msg/String"]
     assert encode_text(texts[0]) == bytes(store.serialize_cdr(string(texts[0]), "std_msgs/msg/String"))
 
@@ -179,10 +192,19 @@ def test_cdr_is_what_rosbags_writes(whole: list[int], texts: list[str]) -> None:
 def test_a_layout_wants_its_numbers() -> None:
     layout = CdrLayout().numbers("Bd")
     assert layout.encode((1, 2.0)) == b"\0\1\0\0\1" + bytes(7) + struct.pack("<d", 2.0)
-    with pytest.raises(ValueError, match="for another layout"):
+    with pytest.raises(ValueError, match="shorter"):
         layout.encode((1,))
+    with pytest.raises(ValueError, match="shorter"):
+        layout.encode_rows(numpy.zeros((4, 1)))
     with pytest.raises(struct.error):
         layout.encode((300, 2.0))
+
+
+@given(st.lists(st.tuples(st.integers(0, 2**31 - 1), st.floats(width=64), st.integers(0, 255)), max_size=4))
+def test_many_messages_are_the_same_as_each_alone(rows: list[tuple[int, float, int]]) -> None:
+    layout = CdrLayout().numbers("i").text("map").numbers("dB")
+    many = layout.encode_rows(numpy.array(rows, float).reshape(-1, 3))
+    assert [row.tobytes() for row in many] == [layout.encode(row) for row in rows]
 
 
 def test_other_readers_find_the_index(bag: Path) -> None:
@@ -199,6 +221,8 @@ def test_a_file_of_several_chunks_is_read_by_its_indexes() -> None:
     data = [encode_text(f"{tick} " + "x" * 50_000) for tick in range(100)]
     for tick, one in enumerate(data):
         writer.add_message(channels[tick % 2], tick * 1000, one)
+        if tick % 20 == 19:
+            writer.end_chunk()
     writer.add_attachment("a.txt", "text/plain", b"hello")
     reader = make_reader(BytesIO(writer.finish()), validate_crcs=True)
     summary = reader.get_summary()
@@ -211,6 +235,48 @@ def test_a_file_of_several_chunks_is_read_by_its_indexes() -> None:
     later = [one.data for _, _, one in reader.iter_messages(topics=["/b"], starting_at=60_000, ending_before=90_000)]
     assert later == data[61:90:2]
     assert [one.data for one in reader.iter_attachments()] == [b"hello"]
+
+
+def test_a_chunk_has_its_messages_in_the_order_of_their_times() -> None:
+    writer = McapWriter("ros2", "kitrobot", ZstdCompressor(level=1).compress)
+    schema = writer.add_schema("std_msgs/msg/Float64", "ros2msg", "float64 data\n")
+    channels = numpy.array([writer.add_channel(topic, "cdr", schema) for topic in ("/a", "/b", "/c")])
+    layout = CdrLayout().numbers("d")
+    writer.add_message(3, 4, layout.encode((0.5,)))
+    times = numpy.array([1, 1, 4, 9])
+    writer.add_messages(channels[[0, 1, 0, 1]], times, layout.encode_rows(numpy.array([[1.0], [2.0], [3.0], [4.0]])))
+    writer.add_messages(3, numpy.array([0, 5]), layout.encode_rows(numpy.array([[5.0], [6.0]])))
+    file = writer.finish()
+    found = [
+        (channel.topic, message.log_time, message.publish_time, struct.unpack("<4xd", message.data)[0])
+        for _, channel, message in NonSeekingReader(BytesIO(file), validate_crcs=True).iter_messages(
+            log_time_order=False
+        )
+    ]
+    assert found == [
+        ("/c", 0, 0, 5.0),
+        ("/a", 1, 1, 1.0),
+        ("/b", 1, 1, 2.0),
+        ("/c", 4, 4, 0.5),
+        ("/a", 4, 4, 3.0),
+        ("/c", 5, 5, 6.0),
+        ("/b", 9, 9, 4.0),
+    ]
+    later = make_reader(BytesIO(file), validate_crcs=True).iter_messages(topics=["/b"])
+    assert [message.log_time for _, _, message in later] == [1, 9]
+
+
+@pytest.mark.parametrize(("ticks", "argument"), [((1,), 2**31), ((1,), -(2**40)), ((2**32 - 1,), 5)])
+def test_numbers_that_ros_has_not_are_damage(tmp_path: Path, ticks: tuple[int, ...], argument: int) -> None:
+    source = tmp_path / "large.krtrace"
+    head = replace(header(), tick_ms=60_000)
+    with TraceWriter(source, head) as writer:
+        for tick in ticks:
+            commands = [TraceCommand(1, "Wheel", "Advance", (argument,))]
+            writer.record(TickRecord(tick, [1] * len(head.columns), [()] * len(NAMES), commands))
+        writer.finish({})
+    with pytest.raises(TraceError, match=f"damaged after tick {ticks[0]}: its records do not make sense"):
+        exported(source)
 
 
 def test_a_file_without_messages_is_whole() -> None:

@@ -9,7 +9,6 @@ from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.diagnostics.read_files import expect_output
 from kitrobot.files.disk import write_atomic
 from kitrobot.text.sentences import Sentence
-from kitrobot.trace.ros.mcap_export import mcap_bytes
 from kitrobot.workspace.traces import is_trace, open_trace
 
 MCAP = ".mcap"
@@ -33,8 +32,8 @@ def export_recording(source: Path, target: Path, progress: Callable[[int, int], 
         progress: told the tick that is written, and the last one.
 
     Raises:
-        ExportError: `source` is no recording, or the ending of `target` is not `.mcap`.
-        TraceError: the recording is damaged, or the package `mcap` is not there.
+        ExportError: `source` is no recording, the ending of `target` is not `.mcap`, or a package is not there.
+        TraceError: the recording is damaged.
         FileError: the file cannot be written.
     """
     if not is_trace(source.name):
@@ -49,6 +48,13 @@ def export_recording(source: Path, target: Path, progress: Callable[[int, int], 
                 "give B the ending `{ending}`; `kitrobot {source}` opens the mission of the recording", MCAP, source
             ),
         )
+    try:
+        from kitrobot.trace.ros.mcap_export import mcap_bytes
+    except ImportError as error:
+        raise ExportError(
+            Sentence("an MCAP file needs the package `{package}`", error.name),
+            Sentence("install it: {command}", "`pip install kitrobot[ros]`"),
+        ) from error
     expect_output(target, source)
     trace = open_trace(source)
     with trace.reader as reader:

@@ -8,35 +8,35 @@ OMG, *DDS for Extensible and Dynamic Topic Types* 1.3, section 7.4.
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable, Sequence
-from typing import Final
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
 
 ENCAPSULATION: Final = b"\x00\x01\x00\x00"
 
-_SIZES: Final = {"d": 8, "i": 4, "I": 4, "Q": 8, "B": 1}
+_STAMP: Final = struct.Struct("<iI")
+_SIZES: Final = {"d": 8, "i": 4, "I": 4, "B": 1}
 
 
 class CdrLayout:
-    """A message whose strings and lengths never change: its numbers are put in by one call.
+    """A message whose strings and lengths never change: numbers are put between them, into one message or into many.
 
-    Fields are named in order with `text`, `length` and `numbers`; then `encode` makes a message of the numbers alone.
+    Fields are named in order with `text`, `length` and `numbers`.
     """
 
     def __init__(self) -> None:
         self._bytes = bytearray(ENCAPSULATION)
-        self._runs: list[tuple[int, str]] = []
-        """Where numbers stand next to each other, and which."""
-        self._packers: list[tuple[Callable[..., None], int, int, int]] = []
+        self._numbers: list[tuple[int, str]] = []
+        """Where each number stands, and which."""
 
     def numbers(self, kinds: str) -> CdrLayout:
-        """Numbers that each message has anew, by the letters of `struct`: d, i, I, Q, B."""
+        """Numbers that each message has anew, by the letters of `struct`: d, i, I, B."""
         for kind in kinds:
             self._align(_SIZES[kind])
-            end = len(self._bytes)
-            if self._runs and self._runs[-1][0] + struct.calcsize(f"<{self._runs[-1][1]}") == end:
-                self._runs[-1] = (self._runs[-1][0], self._runs[-1][1] + kind)
-            else:
-                self._runs.append((end, kind))
+            self._numbers.append((len(self._bytes), f"<{kind}"))
             self._bytes += bytes(_SIZES[kind])
         return self
 
@@ -60,30 +60,45 @@ class CdrLayout:
             ValueError: there are more or fewer numbers than the layout has.
             struct.error: a whole number is beyond its field.
         """
-        if not self._packers:
-            first = 0
-            for place, kinds in self._runs:
-                self._packers.append((struct.Struct(f"<{kinds}").pack_into, place, first, first + len(kinds)))
-                first += len(kinds)
-        if len(numbers) != (self._packers[-1][3] if self._packers else 0):
-            raise ValueError(f"{len(numbers)} numbers for another layout")
-        message = self._bytes
-        for pack_into, place, first, last in self._packers:
-            pack_into(message, place, *numbers[first:last])
+        message = bytearray(self._bytes)
+        for (place, kind), number in zip(self._numbers, numbers, strict=True):
+            struct.pack_into(kind, message, place, number)
         return bytes(message)
+
+    def encode_rows(self, numbers: NDArray[Any]) -> NDArray[np.uint8]:
+        """A message of each row of numbers; each is a row of bytes.
+
+        Raises:
+            ValueError: there are more or fewer columns than the layout has numbers.
+        """
+        messages = np.tile(np.frombuffer(self._bytes, np.uint8), (len(numbers), 1))
+        for (place, kind), column in zip(self._numbers, numbers.T, strict=True):
+            data = column.astype(kind)
+            messages[:, place : place + data.itemsize] = data.view(np.uint8).reshape(-1, data.itemsize)
+        return messages
 
     def _align(self, size: int) -> None:
         self._bytes += bytes(-(len(self._bytes) - len(ENCAPSULATION)) % size)
 
 
-def encode_texts(stamp: tuple[int, int], texts: Sequence[str], whole: Sequence[int] | None = None) -> bytes:
-    """A message of a time (seconds, nanoseconds), strings, and, where `whole` is given, a sequence of int32."""
+def encode_texts(stamp: tuple[int, int], texts: tuple[str, ...], whole: tuple[int, ...] | None = None) -> bytes:
+    """A message of a time (seconds, nanoseconds), strings, and, where `whole` is given, a sequence of int32.
+
+    Raises:
+        struct.error: a number is beyond 32 bits.
+    """
+    return ENCAPSULATION + _STAMP.pack(*stamp) + _after_stamp(texts, whole)
+
+
+@lru_cache(1000)
+def _after_stamp(texts: tuple[str, ...], whole: tuple[int, ...] | None) -> bytes:
+    """Commands of a run say few different things."""
     layout = CdrLayout().numbers("iI")
     for text in texts:
         layout.text(text)
     if whole is not None:
         layout.length(len(whole)).numbers("i" * len(whole))
-    return layout.encode([*stamp, *(whole or ())])
+    return layout.encode((0, 0, *(whole or ())))[len(ENCAPSULATION) + _STAMP.size :]
 
 
 def encode_text(text: str) -> bytes:

@@ -16,10 +16,13 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Iterable, Sequence
-from itertools import compress
-from operator import ne
+import struct
+from collections.abc import Callable, Sequence
 from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+from zstandard import ZstdCompressor
 
 from kitrobot.primitives.image_name import ImageName
 from kitrobot.text.sentences import Sentence
@@ -38,8 +41,12 @@ _OUR_TOPICS: Final = ("team", "tf", "events", "rosout")
 _MOST_STANDINGS: Final = 10_000
 _TOLD_TICKS: Final = 500
 """Ticks between two reports of progress: drawing a bar takes as long as writing some."""
+_CHUNK_BYTES: Final = 1 << 19
+"""Of the numbers and other messages that become a chunk of one to some MB."""
 _LEVEL: Final = 1
 """Of zstd: the fastest; 3 makes files a twentieth smaller."""
+_LONGEST_MS: Final = 1000 << 31
+"""Time that ROS 2 does not reach: its seconds are int32."""
 
 Progress = Callable[[int, int], None]
 """Told the tick that is written, and the last one."""
@@ -49,27 +56,30 @@ def mcap_bytes(reader: TraceReader, progress: Progress | None = None) -> bytes:
     """All ticks of a recording as an MCAP file; of one that is cut, those that are there.
 
     Raises:
-        TraceError: the package `mcap` is not there, or the recording is damaged.
+        TraceError: the recording is damaged.
     """
-    try:
-        from zstandard import ZstdCompressor
-    except ImportError as error:
-        raise TraceError(
-            Sentence("an MCAP file needs the package `{package}`", "zstandard"),
-            Sentence("install it: {command}", "`pip install kitrobot[ros]`"),
-        ) from error
+    if reader.last_tick * reader.header.tick_ms >= _LONGEST_MS:
+        raise _damaged(reader.last_tick)
     writer = McapWriter("ros2", "kitrobot", ZstdCompressor(level=_LEVEL).compress)
     export = _Export(writer, reader.header)
     for record in reader.walk(0):
-        export.write(record)
+        try:
+            export.write(record)
+        except struct.error as error:
+            raise _damaged(record.tick) from error
         if progress is not None and record.tick % _TOLD_TICKS == 0:
             progress(record.tick, reader.last_tick)
+    export.end_chunk()
     export.write_attachments(reader.outcome)
     return writer.finish()
 
 
+def _damaged(tick: int) -> TraceError:
+    return TraceError(Sentence("the trace is damaged after tick {tick}: its records do not make sense", tick))
+
+
 class _Topics:
-    """The channels of a file: each is made when its first message is written."""
+    """The channels of a file: each is made when it is first asked for."""
 
     def __init__(self, writer: McapWriter) -> None:
         self._writer = writer
@@ -103,23 +113,26 @@ class _Export:
         parts = distinct_parts([*_OUR_TOPICS, *(agent.name for agent in header.agents)])
         self._parts = {agent.name: parts[agent.name] for agent in header.agents}
         self._robots = [self._parts[agent.name] for agent in header.agents]
-        columns = {(column.owner, column.name): place for place, column in enumerate(header.columns)}
+        self._scales = np.array([column.scale for column in header.columns])
+        places = {(column.owner, column.name): place for place, column in enumerate(header.columns)}
         placed = [agent.name for agent in header.agents if agent.name not in header.unplaced]
-        self._pose_places = [tuple(columns[name, word] for word in _POSE) for name in placed]
-        self._scales = [column.scale for column in header.columns]
-        self._values = [
-            (column.scale, self._topic(column.owner, column.name))
-            if column.name not in _POSE or column.owner == TEAM
-            else None
-            for column in header.columns
-        ]
-        """Of each column the scale and the topic; None for places."""
-        self._channels = [0] * len(header.columns)
-        """Of each column its channel, once it has one."""
+        self._poses = np.array([[places[name, word] for word in _POSE] for name in placed], int).reshape(-1, 3)
+        """Of each robot that has a place the columns of x, y and heading."""
         self._tf = _transforms([self._parts[name] for name in placed])
+        values = [at for at, column in enumerate(header.columns) if column.owner == TEAM or column.name not in _POSE]
+        self._values = np.array(values, int)
+        """The other columns, and of each the channel."""
+        topics = [self._topic(header.columns[at].owner, header.columns[at].name) for at in values]
+        self._channels = np.array([self._topics.channel(topic, "std_msgs/msg/Float64") for topic in topics], int)
+        self._float = CdrLayout().numbers("d")
         self._numbers: list[int] = []
-        self._placed: list[int] = []
-        self._rotations: dict[float, tuple[float, float]] = {}
+        self._before = np.full((1, len(header.columns)), np.nan)
+        """The numbers before those that wait."""
+        self._row = struct.Struct(f"{len(header.columns)}d")
+        self._waiting = bytearray()
+        """Rows of the numbers of ticks at which one changed."""
+        self._times: list[int] = []
+        """Of those ticks, in ns."""
         self._standings: dict[tuple[ImageName, Threads], bytes] = {}
         """Messages that say where threads stand."""
         self._active: list[Threads] = [()] * len(header.agents)
@@ -131,58 +144,55 @@ class _Export:
     def write(self, record: TickRecord) -> None:
         """Writes what is new in a record."""
         nanoseconds = record.tick * self._header.tick_ms * 1_000_000
+        stamp = _stamp(nanoseconds)
         if record.numbers != self._numbers:
-            self._write_poses(record.numbers, nanoseconds)
-            self._write_values(record.numbers, nanoseconds)
+            self._waiting += self._row.pack(*record.numbers)
+            self._times.append(nanoseconds)
             self._numbers = list(record.numbers)
         if record.active != self._active:
             self._write_active(record, nanoseconds)
             self._active = list(record.active)
         for command in record.commands:
-            texts = (command.actuator, command.procedure)
-            data = encode_texts(_stamp(nanoseconds), texts, command.arguments)
-            self._topics.write(
-                f"/{self._robots[command.agent]}/command", "kitrobot_msgs/msg/Command", nanoseconds, data
-            )
+            topic = f"/{self._robots[command.agent]}/command"
+            data = encode_texts(stamp, (command.actuator, command.procedure), command.arguments)
+            self._topics.write(topic, "kitrobot_msgs/msg/Command", nanoseconds, data)
         for event in record.events:
             self._write_event(event, nanoseconds)
+        if len(self._waiting) + self._writer.chunk_bytes >= _CHUNK_BYTES:
+            self.end_chunk()
 
-    def _write_poses(self, numbers: Sequence[int], nanoseconds: int) -> None:
-        placed = [numbers[place] for places in self._pose_places for place in places]
-        if placed == self._placed:
-            return
-        self._placed = placed
-        stamp = _stamp(nanoseconds)
-        transforms: list[float] = []
-        scales = self._scales
-        for x, y, heading in self._pose_places:
-            at_x, at_y = numbers[x] * scales[x] / 1000, numbers[y] * scales[y] / 1000
-            transforms += (*stamp, at_x, at_y, 0.0, 0.0, 0.0, *self._rotation(numbers[heading] * scales[heading]))
-        self._topics.write("/tf", "tf2_msgs/msg/TFMessage", nanoseconds, self._tf.encode(transforms))
+    def end_chunk(self) -> None:
+        """Writes the messages of the numbers that wait, and ends a chunk: NumPy is fast with some hundred ticks."""
+        if self._times:
+            numbers = np.concatenate([self._before, np.frombuffer(self._waiting).reshape(len(self._times), -1)])
+            times = np.array(self._times, np.uint64)
+            changed = numbers[1:] != numbers[:-1]
+            numbers, self._before = numbers[1:] * self._scales, numbers[-1:]
+            moved = changed[:, self._poses].any((1, 2))
+            if moved.any():
+                self._write_poses(numbers[moved][:, self._poses], times[moved])
+            self._write_values(numbers[:, self._values], changed[:, self._values], times)
+            self._waiting, self._times = bytearray(), []
+        self._writer.end_chunk()
 
-    def _rotation(self, heading: float) -> tuple[float, float]:
-        """The last two numbers of the quaternion of a turn about z, in radians; the first two are 0."""
-        found = self._rotations.get(heading)
-        if found is None:
-            found = self._rotations[heading] = (math.sin(heading / 2), math.cos(heading / 2))
-        return found
+    def _write_poses(self, poses: NDArray[Any], times: NDArray[Any]) -> None:
+        """Writes where the robots are; `poses` has a tick in each row, with x, y (mm) and heading (rad) of each."""
+        numbers = np.zeros((*poses.shape[:2], 9))
+        seconds, nanoseconds = np.divmod(times, 1_000_000_000)
+        numbers[..., 0], numbers[..., 1] = seconds[:, None], nanoseconds[:, None]
+        numbers[..., 2:4] = poses[..., :2] / 1000
+        # The sines of NumPy are others on other processors.
+        headings, which = np.unique(poses[..., 2], return_inverse=True)
+        turns = np.array([(math.sin(heading / 2), math.cos(heading / 2)) for heading in headings.tolist()])
+        numbers[..., 7:] = turns[which.reshape(poses.shape[:2])]
+        channel = self._topics.channel("/tf", "tf2_msgs/msg/TFMessage")
+        self._writer.add_messages(channel, times, self._tf.encode_rows(numbers.reshape(len(poses), -1)))
 
-    def _write_values(self, numbers: Sequence[int], nanoseconds: int) -> None:
-        places: Iterable[int] = range(len(numbers))
-        if self._numbers:
-            places = compress(places, map(ne, numbers, self._numbers))
-        messages = []
-        for place in places:
-            value = self._values[place]
-            if value is not None:
-                channel = self._channels[place] or self._channel(place, value[1])
-                messages.append((channel, numbers[place] * value[0]))
-        if messages:
-            self._writer.add_numbers(nanoseconds, messages)
-
-    def _channel(self, place: int, topic: str) -> int:
-        channel = self._channels[place] = self._topics.channel(topic, "std_msgs/msg/Float64")
-        return channel
+    def _write_values(self, values: NDArray[Any], changed: NDArray[Any], times: NDArray[Any]) -> None:
+        """Writes the values that changed; each row has a tick."""
+        ticks, places = np.nonzero(changed)
+        data = self._float.encode_rows(values[ticks, places][:, None])
+        self._writer.add_messages(self._channels[places], times[ticks], data)
 
     def _write_active(self, record: TickRecord, nanoseconds: int) -> None:
         for robot, agent, threads, before in zip(

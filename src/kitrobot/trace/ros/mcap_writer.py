@@ -1,32 +1,30 @@
 """Writes MCAP files: chunks of messages, compressed with zstd, with every index that the format has.
 
-A message costs one call of `struct` and two appends; the package `mcap` makes an object of each. Its reader, and that
-of `rosbags`, read these files in tests. Source: https://mcap.dev/spec, version 0.
+Messages of one length are added together, as rows of bytes; the package `mcap` makes an object of each message. Its
+reader, and that of `rosbags`, read these files in tests. Source: https://mcap.dev/spec, version 0.
 """
 
 from __future__ import annotations
 
 import struct
 import zlib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from io import BytesIO
-from typing import Final
+from typing import Any, Final
 
-from kitrobot.trace.ros.cdr import ENCAPSULATION
+import numpy as np
+from numpy.typing import NDArray
 
 MAGIC: Final = b"\x89MCAP0\r\n"
-CHUNK_BYTES: Final = 1 << 20
-"""Of the messages of a chunk before it is compressed: about that many."""
 
 _HEADER, _FOOTER, _SCHEMA, _CHANNEL, _MESSAGE, _CHUNK, _MESSAGE_INDEX, _CHUNK_INDEX = range(1, 9)
 _ATTACHMENT, _ATTACHMENT_INDEX, _STATISTICS, _METADATA, _METADATA_INDEX, _SUMMARY_OFFSET, _DATA_END = range(9, 16)
 
-_MESSAGE_HEAD: Final = struct.Struct("<BQHIQQ")
-"""Opcode, length, channel, number in the sequence (0: not known), time of the log and of the message."""
-_NUMBER: Final = struct.Struct(f"{_MESSAGE_HEAD.format}4sd")
-"""A message that is one float64, whole."""
-_NUMBER_FIELDS: Final = _NUMBER.size - 9
-_MESSAGE_FIELDS: Final = _MESSAGE_HEAD.size - 9
+_HEAD: Final = struct.Struct("<BQHIQQ")
+"""Of a message: opcode, length, channel, number in the sequence (0: not known), time of the log and of the message."""
+_HEADS: Final = np.dtype(
+    [("opcode", "u1"), ("length", "<u8"), ("channel", "<u2"), ("number", "<u4"), ("log", "<u8"), ("published", "<u8")]
+)
 
 
 def _record(opcode: int, *parts: bytes) -> bytes:
@@ -46,8 +44,17 @@ def _texts(entries: Mapping[str, str]) -> bytes:
     return _sized(b"".join(_text(key) + _text(value) for key, value in entries.items()))
 
 
+def _join_slices(data: bytes | bytearray, starts: NDArray[Any], sizes: NDArray[Any], order: NDArray[Any]) -> bytes:
+    """The slices of `data` in that order; slices that stay neighbours are copied together."""
+    firsts = order[np.diff(order, prepend=-2) != 1]
+    lasts = order[np.diff(order, append=-2) != 1]
+    view, ends = memoryview(data), starts + sizes
+    pairs = zip(starts[firsts].tolist(), ends[lasts].tolist(), strict=True)
+    return b"".join(view[start:end] for start, end in pairs)
+
+
 class McapWriter:
-    """One file, which `finish` gives; messages come in the order of their times, in nanoseconds.
+    """One file, which `finish` gives; times are nanoseconds. A chunk has its messages in the order of their times.
 
     Args:
         profile: which conventions the file follows, such as `ros2`.
@@ -70,18 +77,18 @@ class McapWriter:
         self._begin_chunk()
 
     def _begin_chunk(self) -> None:
-        self._parts: list[bytes] = []
-        self._size = 0
-        self._index: list[list[int]] = [[] for _ in self._channels]
-        """Of each channel the times and places of its messages in this chunk, by turns."""
-        self._first = self._last = -1
+        self._definitions = b""
+        """Schemas and channels, which stand before the messages."""
+        self._messages = bytearray()
+        self._heads = bytearray()
+        """Those of the messages once more."""
 
     def add_schema(self, name: str, encoding: str, text: str) -> int:
         """Adds the definition of a type; gives its number."""
         number = len(self._schemas) + 1
         record = _record(_SCHEMA, struct.pack("<H", number), _text(name), _text(encoding), _text(text))
         self._schemas.append(record)
-        self._append(record)
+        self._definitions += record
         return number
 
     def add_channel(self, topic: str, encoding: str, schema: int) -> int:
@@ -90,52 +97,48 @@ class McapWriter:
         record = _record(_CHANNEL, struct.pack("<HH", number, schema), _text(topic), _text(encoding), _texts({}))
         self._channels.append(record)
         self._counts.append(0)
-        self._index.append([])
-        self._append(record)
+        self._definitions += record
         return number
 
-    def _append(self, record: bytes) -> None:
-        self._parts.append(record)
-        self._size += len(record)
-
     def add_message(self, channel: int, nanoseconds: int, data: bytes) -> None:
-        """Adds a message; a chunk that is full is written before it."""
-        size = self._size
-        if size >= CHUNK_BYTES:
-            self._end_chunk()
-            size = 0
-        length = _MESSAGE_FIELDS + len(data)
-        self._parts += (_MESSAGE_HEAD.pack(_MESSAGE, length, channel, 0, nanoseconds, nanoseconds), data)
-        self._index[channel - 1] += (nanoseconds, size)
-        self._size = size + length + 9
-        if self._first < 0:
-            self._first = nanoseconds
-        self._last = nanoseconds
+        """Adds a message."""
+        head = _HEAD.pack(_MESSAGE, _HEAD.size - 9 + len(data), channel, 0, nanoseconds, nanoseconds)
+        self._heads += head
+        self._messages += head + data
 
-    def add_numbers(self, nanoseconds: int, numbers: Iterable[tuple[int, float]]) -> None:
-        """Adds messages that are a number in CDR, each with its channel: most of a recording are."""
-        if self._size >= CHUNK_BYTES:
-            self._end_chunk()
-        # Names of its own: this is most of the time that a recording takes.
-        pack, append, index, size = _NUMBER.pack, self._parts.append, self._index, self._size
-        for channel, number in numbers:
-            append(pack(_MESSAGE, _NUMBER_FIELDS, channel, 0, nanoseconds, nanoseconds, ENCAPSULATION, number))
-            entries = index[channel - 1]
-            entries.append(nanoseconds)
-            entries.append(size)
-            size += _NUMBER.size
-        self._size = size
-        if self._first < 0:
-            self._first = nanoseconds
-        self._last = nanoseconds
+    def add_messages(self, channels: NDArray[Any] | int, nanoseconds: NDArray[Any], data: NDArray[np.uint8]) -> None:
+        """Adds messages of one length.
 
-    def _end_chunk(self) -> None:
-        if not self._parts:
+        Args:
+            channels: of each message its channel, or the one of all.
+            nanoseconds: of each message its time.
+            data: of each message its bytes, in a row.
+        """
+        messages = np.zeros(len(data), np.dtype([("head", _HEADS), ("data", "u1", data.shape[1:])]))
+        head = messages["head"]
+        head["opcode"], head["length"], head["channel"] = _MESSAGE, messages.itemsize - 9, channels
+        head["log"] = head["published"] = nanoseconds
+        messages["data"] = data
+        self._heads += head.tobytes()
+        self._messages += messages.tobytes()
+
+    @property
+    def chunk_bytes(self) -> int:
+        """Of the messages since the last chunk."""
+        return len(self._messages)
+
+    def end_chunk(self) -> None:
+        """Writes what was added as a chunk: messages that are added later have later times."""
+        if not self._definitions and not self._heads:
             return
-        raw = b"".join(self._parts)
-        packed = self._compress(raw)
+        heads = np.frombuffer(self._heads, _HEADS)
+        order = np.argsort(heads["log"], kind="stable")
+        sizes = heads["length"] + 9
+        raw = self._definitions + _join_slices(self._messages, np.cumsum(sizes) - sizes, sizes, order)
+        heads, sizes = heads[order], sizes[order]
         # A chunk of schemas and channels alone has the time 0.
-        times = (max(self._first, 0), max(self._last, 0))
+        times = (int(heads["log"][0]), int(heads["log"][-1])) if len(heads) else (0, 0)
+        packed = self._compress(raw)
         chunk = _record(
             _CHUNK,
             struct.pack("<QQQI", *times, len(raw), zlib.crc32(raw)),
@@ -145,20 +148,23 @@ class McapWriter:
         )
         start = self._file.tell()
         self._file.write(chunk)
-        places, indexes = [], self._file.tell()
-        for number, entries in enumerate(self._index, 1):
-            if entries:
-                places.append(struct.pack("<HQ", number, self._file.tell()))
-                data = struct.pack(f"<{len(entries)}Q", *entries)
-                self._file.write(_record(_MESSAGE_INDEX, struct.pack("<H", number), _sized(data)))
-                self._counts[number - 1] += len(entries) // 2
-        if self._first >= 0:
+        placed = np.empty(len(heads), [("time", "<u8"), ("place", "<u8")])
+        placed["time"], placed["place"] = heads["log"], len(self._definitions) + np.cumsum(sizes) - sizes
+        order = np.argsort(heads["channel"], kind="stable")
+        channels, firsts, counts = np.unique(heads["channel"][order], return_index=True, return_counts=True)
+        offsets, indexes = [], self._file.tell()
+        for channel, first, count in zip(channels.tolist(), firsts.tolist(), counts.tolist(), strict=True):
+            offsets.append(struct.pack("<HQ", channel, self._file.tell()))
+            data = placed[order[first : first + count]].tobytes()
+            self._file.write(_record(_MESSAGE_INDEX, struct.pack("<H", channel), _sized(data)))
+            self._counts[channel - 1] += count
+        if len(heads):
             self._times += times
         self._chunk_indexes.append(
             _record(
                 _CHUNK_INDEX,
                 struct.pack("<QQQQ", *times, start, len(chunk)),
-                _sized(b"".join(places)),
+                _sized(b"".join(offsets)),
                 struct.pack("<Q", self._file.tell() - indexes),
                 _text("zstd"),
                 struct.pack("<QQ", len(packed), len(raw)),
@@ -168,7 +174,7 @@ class McapWriter:
 
     def add_attachment(self, name: str, media_type: str, data: bytes) -> None:
         """Adds a file, of the time 0."""
-        self._end_chunk()
+        self.end_chunk()
         start = self._file.tell()
         names = _text(name) + _text(media_type)
         fields = struct.pack("<QQ", 0, 0) + names + struct.pack("<Q", len(data)) + data
@@ -179,7 +185,7 @@ class McapWriter:
 
     def add_metadata(self, name: str, entries: Mapping[str, str]) -> None:
         """Adds names with their values."""
-        self._end_chunk()
+        self.end_chunk()
         start = self._file.tell()
         record = _record(_METADATA, _text(name), _texts(entries))
         self._file.write(record)
@@ -187,7 +193,7 @@ class McapWriter:
 
     def finish(self) -> bytes:
         """Writes the summary; gives the file."""
-        self._end_chunk()
+        self.end_chunk()
         self._file.write(_record(_DATA_END, struct.pack("<I", 0)))
         start = self._file.tell()
         groups = [
