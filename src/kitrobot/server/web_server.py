@@ -23,7 +23,7 @@ END_WITHIN_S = 2
 
 @dataclass(frozen=True)
 class Tls:
-    """How a server encrypts: a certificate and its key in PEM, and the page for who asks in plain HTTP."""
+    """How a server encrypts: a certificate and its key in PEM, and what is said in plain HTTP."""
 
     certificate: Path
     key: Path
