@@ -1500,8 +1500,8 @@ export interface StudyPoint {
 /** One run: its number and seed, how it ended, and its measures by place; None: nothing was measured. */
 export type StudyRun = { row: number; seed: number; outcome: string; sentence: string; measures: (number | null)[] };
 
-/** A file that was handed in; `modified` is a moment in UTC. */
-export type Submission = { name: string; bytes: number; modified: string };
+/** A file that was handed in; `modified` is a moment in UTC, `exercise` the one that it is the work for, or "". */
+export type Submission = { name: string; bytes: number; modified: string; exercise?: string };
 
 /** One run: who failed, by the place in `agents`, and when, by that in `moments`; how it ended, when and why. */
 export interface SweepField {

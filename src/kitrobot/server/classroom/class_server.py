@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import ipaddress
 import socket
 import sys
@@ -18,6 +17,7 @@ from kitrobot.classroom.record import unread_sentence
 from kitrobot.classroom.teacher_actions import TeacherActions
 from kitrobot.server.classroom.certificate import usable_certificate
 from kitrobot.server.classroom.own_certificate import OwnCertificate, own_certificate
+from kitrobot.server.classroom.qr_codes import qr_rows, qr_text
 from kitrobot.server.fallback_pages import secure_address
 from kitrobot.server.hosts import host_number, is_loopback, machine_addresses, machine_names
 from kitrobot.server.presence import Presence
@@ -112,7 +112,7 @@ def _serve(
     pupils = f"{scheme}://{_name(shown)}:{number}/"
     home = f"{scheme}://{'127.0.0.1' if tls is None else _name(shown)}:{number}/"
     key = new_key()
-    reach = JoinAddress(pupils, tuple(qr_rows(pupils)), reach_sentence(address, tls is not None))
+    reach = JoinAddress(pupils, qr_rows(pupils), reach_sentence(address, tls is not None))
     made = create_class_app(room, key, reach, site=site)
     teacher = f"{home}teacher?token={key}"
 
@@ -206,22 +206,6 @@ def _welcome(room: ClassRoom, reach: JoinAddress, site: Path | None, own: OwnCer
         translate(Sentence("The work of the class is in the folder {folder}. Ctrl-C ends the class.", room.folder)),
         *(translate(unread_sentence(one)) for one in room.record.unread),
     ]
-
-
-def qr_rows(text: str) -> list[str]:
-    """A QR code: rows of 0 and 1, without the quiet zone."""
-    import segno
-
-    return ["".join("1" if module else "0" for module in row) for row in segno.make(text, micro=False).matrix]
-
-
-def qr_text(text: str) -> str:
-    """The same for a terminal."""
-    import segno
-
-    out = io.StringIO()
-    segno.make(text, micro=False).terminal(out, compact=True)
-    return out.getvalue()
 
 
 def reach_sentence(address: str, secure: bool) -> Sentence:
