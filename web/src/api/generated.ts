@@ -1549,6 +1549,9 @@ export type TeacherGradebook = { pupils: number; unlisted: string[] };
 /** The name it has, and how many got it. */
 export type TeacherHandedOut = { name: string; pupils: number };
 
+/** The address that opens an exercise in this class, and its QR code: rows of 0 and 1. */
+export type TeacherLink = { address: string; qr: string[] };
+
 /** The last lines of the log, the newest first. */
 export type TeacherLog = { lines: string[] };
 
