@@ -32,6 +32,7 @@ import { type Memory, type Place, placeFor, readMemory, storageName, type Waitin
 import { forgetKept, leaveFiles } from "./left";
 import { openLinked } from "./linked";
 import { exerciseOffer, offer, openHanded, openOrOffer } from "./pupil-offers";
+import { reportOf } from "./pupil-report";
 
 const QUIET_MS = 1200;
 const LONGEST_MS = 5000;
@@ -187,6 +188,9 @@ class PupilSync {
 
   /** Follows the link of the address; `className` is "" while the class does not answer. */
   #follow(className: string): void {
+    if (readExerciseLink(window.location.hash) === null) return;
+    // Nothing else comes over what is opened now.
+    if (!this.#memory.begun && className === "") this.#keepMemory({ begun: true });
     const waits = (exercise: string) => (this.#waiting ?? this.#memory.waiting)?.exercise === exercise;
     this.#hearing = this.#hearing
       .then(whenReady)
@@ -285,17 +289,7 @@ class PupilSync {
   #report(): void {
     this.#reporting ??= setTimeout(() => {
       this.#reporting = undefined;
-      const { file } = useStudio.getState();
-      const { open, goals } = useOpenExercise.getState();
-      const said: ReportMessage = {
-        type: "report",
-        running: useRun.getState().status === "running",
-        ...this.#counts,
-        file: shownName(file.name).slice(0, 200),
-        exercise: open?.name ?? "",
-        goals:
-          open === null ? [] : goals.slice(0, 100).map(({ reached, why }) => ({ reached, why: why.slice(0, 500) })),
-      };
+      const said = reportOf(this.#counts);
       const words = JSON.stringify(said);
       if (words === this.#told) return;
       this.#told = words;
