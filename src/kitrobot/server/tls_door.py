@@ -34,7 +34,7 @@ def certificate_address(address: str) -> str:
 
 
 @dataclass(frozen=True)
-class Greeting:
+class PlainReply:
     """What is said in plain HTTP: a page (HTML), made from `Accept-Language`; and at `CERTIFICATE_PATH` the certificate
     (PEM) that makes other machines trust this one, `b""` for none.
     """
@@ -55,7 +55,7 @@ class TlsDoor(threading.Thread):
     """Accepts connections until it is closed; `admit` gets each that begins with TLS, from the door's thread."""
 
     def __init__(
-        self, listening: Sequence[socket.socket], admit: Callable[[socket.socket], None], greeting: Greeting
+        self, listening: Sequence[socket.socket], admit: Callable[[socket.socket], None], greeting: PlainReply
     ) -> None:
         super().__init__(name="tls-door", daemon=True)
         self._listening = listening
@@ -131,7 +131,7 @@ class TlsDoor(threading.Thread):
         self._leave(selector, connection)
 
 
-def _answer(request: bytes, greeting: Greeting) -> bytes:
+def _answer(request: bytes, greeting: PlainReply) -> bytes:
     """What a plain request gets: the certificate, or the page, and that it takes TLS (RFC 9110, 15.5.22)."""
     if greeting.certificate and re.match(rb"(GET|HEAD) %b(\?\S*)? " % CERTIFICATE_PATH.encode(), request):
         body = greeting.certificate

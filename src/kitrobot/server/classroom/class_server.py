@@ -22,7 +22,7 @@ from kitrobot.server.fallback_pages import secure_address
 from kitrobot.server.hosts import host_number, is_loopback, machine_addresses, machine_names
 from kitrobot.server.presence import Presence
 from kitrobot.server.studio_server import ServerError, has_screen, listen, print_address
-from kitrobot.server.tls_door import Greeting, certificate_address
+from kitrobot.server.tls_door import PlainReply, certificate_address
 from kitrobot.text.collection import collection_paused
 from kitrobot.text.sentences import Sentence
 from kitrobot.translation.reader_language import best_language, override_language, translate
@@ -131,7 +131,7 @@ def _serve(
             one.close()
 
 
-def _greeting(address: str, own: OwnCertificate | None) -> Greeting:
+def _greeting(address: str, own: OwnCertificate | None) -> PlainReply:
     """What is said to who opens the address without `https`."""
     host = urlsplit(address).netloc.rpartition(":")[0]
     paragraphs = [] if own is None else [warning_sentence(host), trust_sentence("{certificate}")]
@@ -140,7 +140,7 @@ def _greeting(address: str, own: OwnCertificate | None) -> Greeting:
         with override_language(best_language(languages)):
             return secure_address(address, *paragraphs)
 
-    return Greeting(page, b"" if own is None else own.public.read_bytes())
+    return PlainReply(page, b"" if own is None else own.public.read_bytes())
 
 
 def warning_sentence(host: str) -> Sentence:
