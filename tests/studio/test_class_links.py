@@ -75,7 +75,7 @@ def test_a_link_lets_a_pupil_in_opens_the_exercise_and_hands_in_what_is_opened_a
     expect(other.get_by_test_id("canvas")).to_contain_text("Stop")
     # A link of another class opens nothing, whatever is open stays.
     other.goto(link.replace("Class%205b", "Class%206a"))
-    expect(other.get_by_test_id("banner")).to_contain_text("This link is for the class Class 6a")
+    expect(other.get_by_test_id("banner")).to_contain_text("This link is for Class 6a, and this is Class 5b.")
     expect_square(other)
     assert [one.name for one in (school.folder / "Ada").glob("*.krt")] == ["03-square.krt"]
     assert (school.folder / "Ada" / "03-square.krt").read_text() == handed

@@ -27,7 +27,7 @@ def brought(address: str) -> dict[str, list[str]]:
 
 def test_a_link_names_exercise_class_and_code_behind_the_sign_that_no_server_sees(school):
     made = link(school, SQUARE).json()
-    assert made["address"].startswith(f"{HOST}/#exercise=example%3Aexercises%2F03-square.exercise.xml&")
+    assert made["address"].startswith(f"{HOST}/#exercise=example:exercises/03-square.exercise.xml&")
     found = {"exercise": [SQUARE], "class": ["Class 5b"], "code": [school.room.record.code]}
     assert brought(made["address"]) == found
     assert "%20" in made["address"], "a space as `+` is lost where a link is copied by hand"

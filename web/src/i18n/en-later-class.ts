@@ -47,7 +47,7 @@ export const CLASS_EN = {
   "class.leave": "Leave the class",
   "class.handed-in": "Handed in to {class}: {name}.",
   "class.handed-in-help": "Go on if you like: what you change is handed in too.",
-  "class.other-link": "This link is for the class {wanted}, and this is {name}.",
+  "class.other-link": "This link is for {wanted}, and this is {name}.",
   "class.other-link-help": "Ask your teacher for the link of your class.",
 
   "teacher.send": "Send a mission",

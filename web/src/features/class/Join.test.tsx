@@ -59,8 +59,9 @@ it("a link of another class is said, and its code is not typed", async () => {
   page = mount(<Join />);
   hands = handsOn(page);
   await settle();
-  expect(hands.find("join-other").textContent).toContain("This link is for the class 6a, and this is 5b.");
+  expect(hands.find("join-other").textContent).toContain("This link is for 6a, and this is 5b.");
   expect(hands.find<HTMLInputElement>("join-code").value).toBe("");
+  expect(document.activeElement).toBe(hands.find("join-code"));
 });
 
 it("a name that is taken asks for the word, with which the pupil comes back, or for the teacher's yes", async () => {

@@ -51,6 +51,11 @@ export function Join() {
   // The code of another class lets nobody in here.
   const code = typed ?? (other ? "" : (link?.code ?? ""));
 
+  const codeField = useRef<HTMLInputElement>(null);
+  useEffect(() => {
+    if (other) codeField.current?.focus();
+  }, [other]);
+
   const fail = (cause: unknown) => setFailure(whyRefused(cause));
   useEffect(forgetLeft, []);
   useEffect(fetchAhead, []);
@@ -112,7 +117,7 @@ export function Join() {
       <form className="join-card surface" onSubmit={join} data-testid="join">
         <h1>{t("class.join-title", { name: `\u2068${about?.name ?? "…"}\u2069` })}</h1>
         {other ? (
-          <p className="notice" role="status" data-testid="join-other">
+          <p className="join-other notice" role="status" data-testid="join-other">
             {t("class.other-link", { wanted: link?.className ?? "", name: about.name })} {t("class.other-link-help")}
           </p>
         ) : null}
@@ -121,6 +126,7 @@ export function Join() {
           <input
             className="field join-code"
             data-testid="join-code"
+            ref={codeField}
             value={code}
             onChange={(event) => setCode(event.target.value.toUpperCase())}
             autoCapitalize="characters"

@@ -81,7 +81,7 @@ it.each([
 });
 
 it.each([
-  [`#exercise=${NAME}&class=6a`, "This link is for the class 6a, and this is 5b."],
+  [`#exercise=${NAME}&class=6a`, "This link is for 6a, and this is 5b."],
   ["#exercise=none.exercise.xml", "The exercise of this link is not here: none.exercise.xml"],
   ["#exercise=broken", "The exercise of this link is not here: broken"],
 ])("%s opens nothing, and says why", async (hash, said) => {

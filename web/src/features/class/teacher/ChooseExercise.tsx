@@ -22,6 +22,7 @@ function isShipped(name: string): boolean {
 
 /** A link that was asked for: it is on the clipboard, or stands there to be copied; or why there is none. */
 interface Linked {
+  exercise: string;
   words: string;
   link: TeacherLink | null;
 }
@@ -30,40 +31,36 @@ async function linkTo(exercise: string, name: string): Promise<Linked> {
   try {
     const link = await classApi.link(exercise);
     const copied = await copyText(link.address);
-    return { words: t(copied ? "teacher.link-copied" : "teacher.link-shown", { name }), link };
+    return { exercise, words: t(copied ? "teacher.link-copied" : "teacher.link-shown", { name }), link };
   } catch (cause) {
     const { message, help } = whyRefused(cause);
-    return { words: `${message} ${help}`.trim(), link: null };
+    return { exercise, words: `${message} ${help}`.trim(), link: null };
   }
 }
 
-/** What came of the last press of Copy link. */
-function LinkNote({ linked }: { linked: Linked | null }) {
+/** Below its exercise, so that nothing moves under the pointer. */
+function LinkCard({ words, link }: Linked) {
   return (
-    <div className="class-link" role="status" data-testid="exercise-link">
-      {linked === null ? null : (
-        <div className="surface row gap-xl slim">
-          {linked.link === null ? null : <Qr rows={linked.link.qr} label={t("teacher.link-qr")} />}
-          <div className="column slim">
-            <p>
-              <Said text={linked.words} />
-            </p>
-            {linked.link === null ? null : (
-              <span className="row slim gap-s">
-                <code className="breakable small-text slim" dir="ltr">
-                  {linked.link.address}
-                </code>
-                <CopyButton
-                  text={linked.link.address}
-                  label={t("teacher.copy-link")}
-                  copied={t("code.copied")}
-                  testId="copy-again"
-                />
-              </span>
-            )}
-          </div>
-        </div>
-      )}
+    <div className="class-link surface row wrap gap-2xl slim" data-testid="exercise-link">
+      {link === null ? null : <Qr rows={link.qr} label={t("teacher.link-qr")} />}
+      <div className="class-link-words column slim gap-s">
+        <p aria-hidden="true">
+          <Said text={words} />
+        </p>
+        {link === null ? null : (
+          <span className="row slim gap-s">
+            <code className="breakable small-text slim" dir="ltr">
+              {link.address}
+            </code>
+            <CopyButton
+              text={link.address}
+              label={t("teacher.copy-link")}
+              copied={t("code.copied")}
+              testId="copy-again"
+            />
+          </span>
+        )}
+      </div>
     </div>
   );
 }
@@ -89,13 +86,15 @@ export function ChooseExercise({ onClose }: { onClose: () => void }) {
       <p className="sheet-note muted small-text">
         {t("teacher.exercise-help")} {t("teacher.link-help")}
       </p>
-      <LinkNote linked={linked} />
+      <p className="only-spoken" role="status" data-testid="exercise-link-said">
+        {linked?.words}
+      </p>
       <ul>
         {usable.map(({ name, label, icon, goals }) => (
-          <li key={name} className="row slim gap-s">
+          <li key={name} className="row wrap slim gap-s">
             <button
               type="button"
-              className="open-entry row start-text gap-xl hover"
+              className="class-entry open-entry row start-text gap-xl hover slim"
               aria-pressed={name === now}
               data-path={name}
               onClick={() => choose(name)}
@@ -108,7 +107,7 @@ export function ChooseExercise({ onClose }: { onClose: () => void }) {
               {name === now ? <Icon name="check" size={16} /> : null}
             </button>
             <Button
-              icon="copy"
+              icon={linked?.exercise === name && linked.link !== null ? "check" : "copy"}
               className="small rigid"
               aria-label={t("teacher.copy-link-to", { name: text(label) })}
               data-link={name}
@@ -116,6 +115,7 @@ export function ChooseExercise({ onClose }: { onClose: () => void }) {
             >
               {t("teacher.copy-link")}
             </Button>
+            {linked?.exercise === name ? <LinkCard {...linked} /> : null}
           </li>
         ))}
         <li>
