@@ -152,7 +152,7 @@ class CatalogueSet:
             write_po(stream, known, width=110, omit_header=True, include_lineno=False)
 
 
-PROGRAM = CatalogueSet(SOURCES / "translation", _of_the_program, ("word", "part"))
+PROGRAM = CatalogueSet(SOURCES / "translation", _of_the_program, ("word", "part", "column"))
 CATALOGUE_SETS = {"program": PROGRAM, "page": CatalogueSet(PAGE, _of_the_page)}
 
 

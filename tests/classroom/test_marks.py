@@ -8,11 +8,13 @@ import io
 import pytest
 
 from kitrobot.classroom.class_room import ClassRoom
-from kitrobot.classroom.gradebook_list import GradebookListError, parse_gradebook_list, read_gradebook_list
+from kitrobot.classroom.gradebook_list import _COLUMNS, GradebookListError, parse_gradebook_list, read_gradebook_list
 from kitrobot.classroom.gradebook_tables import GRADEBOOKS, Gradebook, marks_as_csv
 from kitrobot.classroom.marks import MOST_MARKS, Mark, put_mark
 from kitrobot.classroom.record import ClassRecord, PupilRecord, read_record
 from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.translation.catalogue import catalogue
+from kitrobot.translation.languages import TRANSLATED
 from tests.classroom.conftest import join
 
 SQUARE = Mark("example:square", "A square", 3, 5, "Well done")
@@ -125,13 +127,65 @@ def test_nobody_gets_the_marks_of_another_of_that_name():
 
 @pytest.mark.parametrize("parts_at", [",", ";", "\t"])
 @pytest.mark.parametrize(
-    "head", ["First name,Last name,E-mail", "Prénom,Nom,Adresse de courriel", "نام,خاندانی نام,ای میل"]
+    "head",
+    [
+        "First name,Last name,E-mail",
+        "Prénom,Nom,Adresse de courriel",
+        "Prénom,Nom de famille,Adresse e-mail",
+        "نام,خاندانی نام,ای میل",
+        "Nombre,Apellido(s),Dirección de correo",
+        "NOMBRE,APELLIDOS,Correo electrónico",
+        "Nome,Sobrenome,Endereço de email",
+        "Nome,Apelido,Endereço de e-mail",
+    ],
 )
 def test_columns_of_a_list_are_found_by_their_names(head, parts_at):
     text = f"\ufeff{head}\r\nAda,King,a@x\r\n".replace(",", parts_at)
     (found,) = parse_gradebook_list(text.encode())
     assert found.values["email"] == "a@x"
     assert "ada" in found.first_name() or found.name.startswith("Ada")
+
+
+@pytest.mark.parametrize(
+    ("head", "nobody"),
+    [
+        ("Student,ID,SIS User ID,SIS Login ID,Section", "    Points Possible"),
+        ("Estudiante,ID,ID de usuario de SIS,ID de inicio de sesión de SIS,Sección", "    Puntos posibles"),
+        ("Aluno,ID,ID de usuário do SIS,ID de login do SIS,Seção", "    Pontos possíveis"),
+        ("Étudiant,ID,ID utilisateur SIS,ID de connexion SIS,Section", "    Points possibles"),
+    ],
+)
+def test_the_columns_of_canvas_are_found_and_the_line_of_points_is_of_nobody(head, nobody):
+    text = f'{head}\r\n{nobody},,,,\r\n"King, Ada",4711,s1,ada,5b\r\n'
+    (found,) = parse_gradebook_list(text.encode())
+    assert found.name == "King, Ada"
+    assert {key: found.values[key] for key in ("id", "sis_user", "sis_login", "section")} == {
+        "id": "4711",
+        "sis_user": "s1",
+        "sis_login": "ada",
+        "section": "5b",
+    }
+
+
+@pytest.mark.parametrize(
+    "head", ["Nombre,Número de ID,Nombre de usuario", "Nome,Número de identificação,Nome de utilizador"]
+)
+def test_numbers_and_users_of_moodle_are_found_and_a_whole_name_may_stand_under_the_first(head):
+    (found,) = parse_gradebook_list(f"{head}\nAda King,7,ada\n".encode())
+    assert (found.values["number"], found.values["username"]) == ("7", "ada")
+    assert "ada king" in found.names()
+
+
+def test_every_language_has_a_word_for_every_column():
+    """One column of a list is one thing: no word of a language stands for two."""
+    for language in TRANSLATED:
+        known: dict[str, str] = {}
+        for key, words in _COLUMNS.items():
+            for word in words:
+                text = catalogue(language).word("column", word)
+                assert text, (language, word)
+                for one in text.split("|"):
+                    assert known.setdefault(one.strip().casefold(), key) == key, (language, one)
 
 
 @pytest.mark.parametrize(

@@ -14,6 +14,7 @@ import threading
 import time
 from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
@@ -268,8 +269,8 @@ class ClassRoom:
                 comments_of(record.marks),
             )
 
-    def hand_in(self, pupil: Pupil, shown: str, data: bytes, base: str) -> HandIn:
-        """Keeps a mission of that pupil.
+    def hand_in(self, pupil: Pupil, shown: str, data: bytes, base: str, exercise: str = "") -> HandIn:
+        """Keeps a mission of that pupil, as the work for that exercise.
 
         Raises:
             QuotaError: the folder is full.
@@ -282,13 +283,26 @@ class ClassRoom:
             pupil.work, pupil.revision = kept.name, kept.revision
             pupil.kept = self.last_kept = self.clock()
             pupil.version += 1
+            if pupil.record.hands_in(exercise, kept.name):
+                with suppress(FileError):
+                    write_record(self.folder, self.record)
         if fresh != kept.name:
             self.log.write(f"{pupil.record.name} handed in {kept.name}")
         return kept
 
     def list_submissions(self, pupil: Pupil) -> list[Submission]:
         """What the pupil handed in, the newest first."""
-        return list_submissions(self.folder / pupil.folder)
+        exercises = {file: exercise for exercise, file in pupil.record.works.items()}
+        found = list_submissions(self.folder / pupil.folder)
+        return [replace(one, exercise=exercises.get(one.name, "")) for one in found]
+
+    def work_for(self, pupil: Pupil, exercise: str) -> str:
+        """The file that the pupil handed in for that exercise; where nothing says so the newest one that is for no
+        exercise that is known, "" for none.
+        """
+        found = self.list_submissions(pupil)
+        fitting = [one for one in found if one.exercise == exercise] or [one for one in found if not one.exercise]
+        return fitting[0].name if fitting else ""
 
     def read_submission(self, pupil: Pupil, name: str) -> tuple[bytes, str]:
         """One of them, and its revision.

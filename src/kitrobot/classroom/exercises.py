@@ -27,6 +27,16 @@ def exercise_label(studio: Studio, name: str) -> str:
     return ""
 
 
+def is_exercise(studio: Studio, name: str) -> bool:
+    """Whether pupils can have an exercise of that name."""
+    if not name.startswith((EXAMPLE, f"{HANDED_OUT}/")):
+        return False
+    with suppress(KitRobotError):
+        studio.exercises.usable(name)
+        return True
+    return False
+
+
 def hand_out_exercise(room: ClassRoom, studio: Studio, name: str) -> str:
     """Puts an exercise of the folder where pupils find it; gives the name that it has there. One that comes with
     KitRobot, or was handed out before, is there already.
@@ -56,16 +66,17 @@ def hand_out_exercise(room: ClassRoom, studio: Studio, name: str) -> str:
     return str(folder / pure.name)
 
 
-def files_of_exercise(room: ClassRoom) -> tuple[PurePosixPath, dict[str, bytes]]:
-    """The files of the exercise of the class as pupils get them, and the folder that they are in; none where it comes
-    with KitRobot. What is hidden is not in them: grading reads the folder.
+def files_of_exercise(room: ClassRoom, name: str = "") -> tuple[PurePosixPath, dict[str, bytes]]:
+    """The files of an exercise as pupils get them, and the folder that they are in; none where it comes with KitRobot,
+    or was never handed out. What is hidden is not in them: grading reads the folder. `name`: "" for that of the class.
 
     Raises:
         HandedOutError: there is too much.
         FileError: one cannot be read.
     """
-    folder = PurePosixPath(room.record.exercise).parent
-    if folder.parent != PurePosixPath(HANDED_OUT) or folder.name == ".." or not (room.folder / folder).is_dir():
+    folder = PurePosixPath(name or room.record.exercise).parent
+    plain = folder.parent == PurePosixPath(HANDED_OUT) and folder.name != ".." and "\0" not in name
+    if not plain or not (room.folder / folder).is_dir():
         return folder, {}
     beside = sorted((room.folder / folder).iterdir())
     files = read_files({path.name: path for path in beside if is_plain(path.name) and path.is_file()})

@@ -1,8 +1,8 @@
 """The list of pupils that a gradebook exports as CSV, and which of its lines is which pupil of the class.
 
 It is `gradebook.csv` in the class's folder, as Moodle, Canvas or Google Classroom wrote it: the teacher's page keeps it
-there, or the teacher puts it there by hand. Columns are found by their names, in English, French or Urdu; commas,
-semicolons and tabs part them. Nothing else of it is used.
+there, or the teacher puts it there by hand. Columns are found by their names in each language of KitRobot, which the
+catalogues have under `column`; commas, semicolons and tabs part them. Nothing else of it is used.
 """
 
 from __future__ import annotations
@@ -19,25 +19,28 @@ from kitrobot.classroom.names import key_of
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.files.disk import read_bytes, write_atomic
 from kitrobot.text.sentences import Sentence
+from kitrobot.translation.catalogue import catalogue
+from kitrobot.translation.languages import TRANSLATED
 
 NAME: Final = "gradebook.csv"
 MOST_BYTES: Final = 4 * 1024 * 1024
 _COLUMNS: Final = {
-    "student": ("student", "full name", "name", "pupil", "nom complet", "élève", "نام", "پورا نام"),
-    "first": ("first name", "firstname", "prénom", "پہلا نام"),
-    "last": ("last name", "lastname", "surname", "nom", "nom de famille", "خاندانی نام"),
-    "email": ("email address", "email", "e-mail", "adresse de courriel", "courriel", "ای میل", "ای میل پتہ"),
-    "username": ("username", "nom d'utilisateur", "صارف نام"),
-    "number": ("id number", "numéro d'identification", "شناختی نمبر"),
-    "id": ("id",),
-    "sis_user": ("sis user id",),
-    "sis_login": ("sis login id",),
-    "section": ("section",),
+    "student": ("Student", "Full name", "Name", "Pupil"),
+    "first": ("First name", "Firstname"),
+    "last": ("Last name", "Lastname", "Surname"),
+    "email": ("Email address", "Email", "E-mail"),
+    "username": ("Username",),
+    "number": ("ID number",),
+    "id": ("ID",),
+    "sis_user": ("SIS User ID",),
+    "sis_login": ("SIS Login ID",),
+    "section": ("Section",),
 }
-"""What a column holds, by the names that it has in gradebooks."""
+"""What a column holds, by the names that it has in gradebooks in English (`_in_each_language`)."""
+_NO_PUPIL: Final = ("Points Possible", "Student, Test")
+"""How lines begin that are of nobody."""
 _ZIP: Final = b"PK\x03\x04"
 """How an .xlsx and an .ods file begin."""
-_NO_PUPIL: Final = ("points possible", "student, test")
 
 
 class GradebookListError(KitRobotError):
@@ -124,21 +127,28 @@ def parse_gradebook_list(data: bytes) -> list[ListedPupil]:
     columns = _columns(rows[0]) if rows else {}
     if "student" not in columns and not {"first", "last"} & columns.keys():
         raise _no_list(Sentence("its first line names no column with the names of pupils"))
+    nobody = tuple(_in_each_language(_NO_PUPIL))
     found: list[ListedPupil] = []
     for row in rows[1:]:
         values = {key: " ".join(row[at].split()) for key, at in columns.items() if at < len(row)}
         parts = (values.get("first", ""), values.get("last", ""))
         name = values.get("student", "") or " ".join(part for part in parts if part)
-        if name and not name.casefold().startswith(_NO_PUPIL):
+        if name and not _plain(name).startswith(nobody):
             found.append(ListedPupil(name, values))
     return found
 
 
+def _in_each_language(words: Sequence[str]) -> set[str]:
+    """English words and what the catalogues have for them, as they are compared; `|` parts several for one."""
+    known = (catalogue(language).word("column", word) or "" for language in TRANSLATED for word in words)
+    return {_plain(one) for text in (*words, *known) for one in text.split("|") if one.strip()}
+
+
 def _columns(head: Sequence[str]) -> dict[str, int]:
-    names = [key_of(" ".join(one.split()).replace("\u2019", "'")) for one in head]
+    names = [_plain(one.replace("\u2019", "'")) for one in head]
     found: dict[str, int] = {}
     for key, called in _COLUMNS.items():
-        wanted = {key_of(one) for one in called}
+        wanted = _in_each_language(called)
         at = next((at for at, name in enumerate(names) if name in wanted), None)
         if at is not None:
             found[key] = at

@@ -1,4 +1,4 @@
-"""Grading a class with its exercise: what each pupil handed in last, beside the running class, one piece after another.
+"""Grading a class with its exercise: what each pupil handed in for it, beside the class, one piece after another.
 
 It writes `grades.html` and `grades.csv` into the class's folder, and keeps each pupil's points as a mark; goals that
 pupils' own pages report do not count.
@@ -63,9 +63,9 @@ class ClassGrader:
         self._studio.exercises.usable(exercise)
         path = self._studio.folder.path_of(exercise, EXERCISE_ENDING)
         pupils = {
-            str(self._room.folder / pupil.folder / pupil.work): pupil
+            str(self._room.folder / pupil.folder / work): pupil
             for pupil in list(self._room.pupils.values())
-            if pupil.work and (folders is None or pupil.folder in folders)
+            if (folders is None or pupil.folder in folders) and (work := self._room.work_for(pupil, exercise))
         }
         if not pupils:
             raise ClassError(Sentence("nobody has handed anything in yet"), "")

@@ -74,10 +74,13 @@ class ClassAnsweredShape(BaseModel):
 
 
 class ClassHandInShape(BaseModel):
-    """A mission to be kept: `name` is what the page calls it, `base` what was kept under that name before, or ""."""
+    """A mission to be kept: `name` is what the page calls it, `base` what was kept under that name before, or "";
+    `exercise` the one that it is for, "" for none.
+    """
 
     name: Name
     base: Annotated[str, Field(max_length=64)] = ""
+    exercise: Name = ""
     mission: MissionShape
 
 
@@ -258,6 +261,13 @@ class TeacherExerciseShape(BaseModel):
     """The exercise of the class from now on, "" for none."""
 
     exercise: Name
+
+
+class TeacherLinkShape(BaseModel):
+    """The address that opens an exercise in this class, and its QR code: rows of 0 and 1."""
+
+    address: str
+    qr: tuple[str, ...]
 
 
 class TeacherHandOutShape(BaseModel):

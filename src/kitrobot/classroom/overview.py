@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import Final
+from urllib.parse import quote, urlencode
 
 from pydantic import BaseModel
 
@@ -22,6 +23,7 @@ from kitrobot.classroom.messages import (
     PupilsMessage,
 )
 from kitrobot.classroom.pupil import Pupil, state_of
+from kitrobot.classroom.record import ClassRecord
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.live.studio import Studio
 
@@ -36,6 +38,16 @@ class JoinAddress:
     address: str
     qr: tuple[str, ...]
     sentence: str
+
+    def link(self, record: ClassRecord, exercise: str) -> str:
+        """The address that opens an exercise for who is in the class, or joins it with the code that it brings along.
+
+        What stands behind `#` is read by the page (`session/exercise-link.ts`) and sent to no server.
+        """
+        brought = {"exercise": exercise, "class": record.name, "code": record.code}
+        # `:` and `/` stand for themselves behind `#`, and the address is easier to read and its QR code smaller.
+        words = urlencode({key: word for key, word in brought.items() if word}, safe=":/", quote_via=quote)
+        return f"{self.address.removesuffix('/')}/#{words}"
 
 
 class Overview:

@@ -29,6 +29,8 @@ USUAL_PLACES: Final = 100
 """Pupils that a class takes until its teacher says otherwise."""
 MOST_KEYS: Final = 4
 """Browsers that a pupil can be let in from; the oldest is forgotten when there are more."""
+MOST_WORKS: Final = 200
+"""Exercises whose file is known; the oldest is forgotten when there are more."""
 
 _HEAD = """# A class of KitRobot. While the class runs this file is written anew: edit it when it does not.
 # `word` brings a pupil back from another computer; `keys` are digests of what their browsers keep.
@@ -38,7 +40,8 @@ _HEAD = """# A class of KitRobot. While the class runs this file is written anew
 @dataclass
 class PupilRecord:
     """A pupil: name, folder, the word to come back with, digests of keys, what they got last, whether to look up,
-    whether the hand is up, what the teacher wrote last with its number, and a mark for each exercise that was graded.
+    whether the hand is up, what the teacher wrote last with its number, a mark for each exercise that was graded, and
+    the file that was handed in last for each exercise.
     """
 
     name: str
@@ -52,6 +55,16 @@ class PupilRecord:
     note: int = 0
     note_text: str = ""
     marks: list[Mark] = field(default_factory=list)
+    works: dict[str, str] = field(default_factory=dict)
+
+    def hands_in(self, exercise: str, file: str) -> bool:
+        """The file is the work for that exercise from now on; False where it was before, or nobody said for which."""
+        if not exercise or self.works.get(exercise) == file:
+            return False
+        # In the order in which they came, so that the oldest is forgotten.
+        kept = [one for one in self.works.items() if one[0] != exercise and one[1] != file]
+        self.works = dict([*kept, (exercise, file)][-MOST_WORKS:])
+        return True
 
     def gets(self, key: str) -> None:
         """Another browser of the pupil."""
@@ -194,6 +207,7 @@ def write_record(folder: Path, record: ClassRecord) -> None:
             *(["frozen = true"] if pupil.frozen else []),
             *(["hand = true"] if pupil.hand else []),
             *([f"note = {pupil.note}", f"note_text = {toml_string(pupil.note_text)}"] if pupil.note else []),
+            *([f"works = {{ {_pairs(pupil.works)} }}"] if pupil.works else []),
             *mark_lines(pupil.marks),
         ]
     lines += ["", *(one.text.strip("\n") for one in record.unread)]
@@ -203,6 +217,17 @@ def write_record(folder: Path, record: ClassRecord) -> None:
         with contextlib.suppress(OSError):
             os.close(os.open(path, os.O_WRONLY | os.O_CREAT, 0o600))
     write_atomic(path, ("\n".join(lines) + "\n").encode(errors="surrogateescape"))
+
+
+def _pairs(works: dict[str, str]) -> str:
+    return ", ".join(f"{toml_string(exercise)} = {toml_string(file)}" for exercise, file in works.items())
+
+
+def _works(table: dict[str, Any]) -> dict[str, str]:
+    works = table.get("works", {})
+    if not isinstance(works, dict) or not all(isinstance(one, str) and is_file_name(one) for one in works.values()):
+        raise ValueError(Sentence("`{key}` makes no sense", "works"))
+    return dict(list(works.items())[-MOST_WORKS:])
 
 
 def _pupil(table: dict[str, Any]) -> PupilRecord:
@@ -225,6 +250,7 @@ def _pupil(table: dict[str, Any]) -> PupilRecord:
         count_of(table, "note", 0),
         text_of(table, "note_text"),
         marks_of(table),
+        _works(table),
     )
 
 

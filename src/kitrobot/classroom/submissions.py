@@ -24,11 +24,12 @@ LARGEST_BYTES: Final = 1024 * 1024
 
 @dataclass(frozen=True)
 class Submission:
-    """A file that was handed in; `modified` is a moment in UTC."""
+    """A file that was handed in; `modified` is a moment in UTC, `exercise` the one that it is the work for, or ""."""
 
     name: str
     bytes: int
     modified: str
+    exercise: str = ""
 
 
 def list_submissions(folder: Path) -> list[Submission]:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import html
 import re
+from collections.abc import Mapping
 
+from kitrobot.server.tls_door import certificate_address
 from kitrobot.text.sentences import Sentence
 from kitrobot.translation.languages import LANGUAGES
 from kitrobot.translation.reader_language import reader_language
@@ -26,7 +28,7 @@ code {{ font-family: ui-monospace, monospace; padding: 0.1em 0.35em; border-radi
 </head>
 <body>
 <h1>{message}</h1>
-<p>{help}</p>
+{help}
 </body>
 </html>
 """
@@ -34,27 +36,33 @@ code {{ font-family: ui-monospace, monospace; padding: 0.1em 0.35em; border-radi
 
 def sentence(message: str, help: str) -> str:
     """A page with one sentence; `words` in back quotes are set as code."""
+    return _page(_words(message), _words(help))
+
+
+def secure_address(address: str, *paragraphs: str) -> str:
+    """A page for who asked a server over TLS in plain HTTP: where it is, and what comes there; the word `{certificate}`
+    of a paragraph becomes the link to its certificate.
+    """
+    links = {"{address}": address, "{certificate}": certificate_address(address)}
+    return _page(*(_linked(one, links) for one in (Sentence("The class is at {address}", "{address}"), *paragraphs)))
+
+
+def _page(message: str, *paragraphs: str) -> str:
     language = reader_language()
     return _PAGE.format(
         language=language,
         direction=LANGUAGES[language].direction,
-        message=_words(spoken(message)),
-        help=_words(spoken(help)),
+        message=message,
+        help="\n".join(f"<p>{one}</p>" for one in paragraphs if one),
     )
 
 
-def secure_address(address: str, help: str) -> str:
-    """A page for who asked a server over TLS in plain HTTP: where it is, and a sentence on what comes there."""
-    language = reader_language()
-    shown = html.escape(address)
-    return _PAGE.format(
-        language=language,
-        direction=LANGUAGES[language].direction,
-        message=_words(spoken(Sentence("The class is at {address}", "{address}"))).replace(
-            "{address}", f'<a href="{shown}"><bdi>{shown}</bdi></a>'
-        ),
-        help=_words(spoken(help)),
-    )
+def _linked(text: str, links: Mapping[str, str]) -> str:
+    made = _words(text)
+    for word, address in links.items():
+        shown = html.escape(address)
+        made = made.replace(word, f'<a href="{shown}"><bdi>{shown}</bdi></a>')
+    return made
 
 
 def redirect(address: str) -> str:
@@ -68,4 +76,4 @@ def redirect(address: str) -> str:
 
 
 def _words(text: str) -> str:
-    return re.sub(r"`([^`]*)`", r"<code>\1</code>", html.escape(text))
+    return re.sub(r"`([^`]*)`", r"<code>\1</code>", html.escape(spoken(text)))

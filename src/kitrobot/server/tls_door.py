@@ -25,8 +25,22 @@ LONGEST_WAIT_S: Final = 15.0
 LARGEST_REQUEST_BYTES: Final = 16 * 1024
 """Of what a plain request says until its head ends."""
 
-Greeting = Callable[[str], str]
-"""Makes a page (HTML) for who asked in plain HTTP, from its `Accept-Language`."""
+CERTIFICATE_PATH: Final = "/certificate"
+
+
+def certificate_address(address: str) -> str:
+    """Where plain HTTP gives the certificate of a server whose address over TLS is `https://HOST:PORT/`."""
+    return "http" + address.removeprefix("https").removesuffix("/") + CERTIFICATE_PATH
+
+
+@dataclass(frozen=True)
+class PlainReply:
+    """What is said in plain HTTP: a page (HTML), made from `Accept-Language`; and at `CERTIFICATE_PATH` the certificate
+    (PEM) that makes other machines trust this one, `b""` for none.
+    """
+
+    page: Callable[[str], str]
+    certificate: bytes = b""
 
 
 @dataclass
@@ -41,7 +55,7 @@ class TlsDoor(threading.Thread):
     """Accepts connections until it is closed; `admit` gets each that begins with TLS, from the door's thread."""
 
     def __init__(
-        self, listening: Sequence[socket.socket], admit: Callable[[socket.socket], None], greeting: Greeting
+        self, listening: Sequence[socket.socket], admit: Callable[[socket.socket], None], greeting: PlainReply
     ) -> None:
         super().__init__(name="tls-door", daemon=True)
         self._listening = listening
@@ -117,13 +131,22 @@ class TlsDoor(threading.Thread):
         self._leave(selector, connection)
 
 
-def _answer(request: bytes, greeting: Greeting) -> bytes:
-    """What a plain request gets: the page, and that it takes TLS (RFC 9110, 15.5.22)."""
-    wish = re.search(rb"\r\naccept-language:[ \t]*([^\r]*)", request, re.IGNORECASE)
-    page = greeting("" if wish is None else wish[1].decode("latin-1")).encode()
-    head = (
-        "HTTP/1.1 426 Upgrade Required\r\nUpgrade: TLS/1.2, HTTP/1.1\r\nConnection: Upgrade, close\r\n"
-        f"Content-Type: text/html; charset=utf-8\r\nContent-Length: {len(page)}\r\nCache-Control: no-store\r\n"
-        "Content-Security-Policy: default-src 'none'; style-src 'unsafe-inline'\r\n\r\n"
-    )
-    return head.encode() + (b"" if request.startswith(b"HEAD ") else page)
+def _answer(request: bytes, greeting: PlainReply) -> bytes:
+    """What a plain request gets: the certificate, or the page, and that it takes TLS (RFC 9110, 15.5.22)."""
+    if greeting.certificate and re.match(rb"(GET|HEAD) %b(\?\S*)? " % CERTIFICATE_PATH.encode(), request):
+        body = greeting.certificate
+        # Devices begin to install what has this type; as an attachment it would be a file like any other.
+        head = (
+            "200 OK\r\nConnection: close\r\nContent-Type: application/x-x509-ca-cert\r\n"
+            'Content-Disposition: inline; filename="kitrobot-class.crt"\r\nX-Content-Type-Options: nosniff'
+        )
+    else:
+        wish = re.search(rb"\r\naccept-language:[ \t]*([^\r]*)", request, re.IGNORECASE)
+        body = greeting.page("" if wish is None else wish[1].decode("latin-1")).encode()
+        head = (
+            "426 Upgrade Required\r\nUpgrade: TLS/1.2, HTTP/1.1\r\nConnection: Upgrade, close\r\n"
+            "Content-Type: text/html; charset=utf-8\r\n"
+            "Content-Security-Policy: default-src 'none'; style-src 'unsafe-inline'"
+        )
+    head = f"HTTP/1.1 {head}\r\nContent-Length: {len(body)}\r\nCache-Control: no-store\r\n\r\n"
+    return head.encode() + (b"" if request.startswith(b"HEAD ") else body)

@@ -15,7 +15,7 @@ from starlette.types import ASGIApp
 from kitrobot.live.runs import LARGEST_MESSAGE_BYTES
 from kitrobot.server.connections import LARGEST_HEAD_BYTES, MOST_CONNECTIONS, BoundedConnection
 from kitrobot.server.garbage_collector import tune_garbage_collector
-from kitrobot.server.tls_door import LONGEST_WAIT_S, Greeting, TlsDoor
+from kitrobot.server.tls_door import LONGEST_WAIT_S, PlainReply, TlsDoor
 
 END_WITHIN_S = 2
 """How long open connections may take to close after Ctrl-C."""
@@ -23,11 +23,11 @@ END_WITHIN_S = 2
 
 @dataclass(frozen=True)
 class Tls:
-    """How a server encrypts: a certificate and its key in PEM, and the page for who asks in plain HTTP."""
+    """How a server encrypts: a certificate and its key in PEM, and what is said in plain HTTP."""
 
     certificate: Path
     key: Path
-    greeting: Greeting
+    greeting: PlainReply
 
 
 def run_server(
@@ -84,7 +84,7 @@ class _Server(uvicorn.Server):
 class _TlsServer(_Server):
     """A server behind a door that tells plain HTTP from TLS."""
 
-    def __init__(self, config: uvicorn.Config, ready: Callable[[], None], greeting: Greeting) -> None:
+    def __init__(self, config: uvicorn.Config, ready: Callable[[], None], greeting: PlainReply) -> None:
         super().__init__(config, ready)
         self._greeting = greeting
         self._door: TlsDoor | None = None

@@ -18,7 +18,7 @@ import pytest
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.server.classroom import own_certificate as module
-from kitrobot.server.classroom.certificate import validity
+from kitrobot.server.classroom.certificate import certificates_in, validity
 from kitrobot.server.classroom.own_certificate import DAYS, RENEWED_DAYS, OwnCertificate, own_certificate
 from tests.certificates import self_signed
 from tests.patience import PATIENCE_S
@@ -36,7 +36,8 @@ def state(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def names(made: OwnCertificate) -> list[str]:
     from cryptography import x509
 
-    read = x509.load_pem_x509_certificate(made.public.read_bytes())
+    read, authority = x509.load_pem_x509_certificates(made.path.read_bytes())
+    read.verify_directly_issued_by(authority)
     value = read.extensions.get_extension_for_class(x509.SubjectAlternativeName).value
     return [str(one.value) for one in value]
 
@@ -50,6 +51,32 @@ def test_a_certificate_is_kept_and_used_again():
     assert not again.new
     assert again.fingerprint == made.fingerprint
     assert own_certificate("192.168.4.21").fingerprint != made.fingerprint
+
+
+def test_it_has_the_other_names_of_the_machine_and_is_kept_while_it_has_them_all():
+    others = ["desk-4", "desk-4.local", "10.0.0.7"]
+    made = own_certificate(HOST, others)
+    assert names(made) == [HOST, *others]
+    assert not own_certificate(HOST, others).new
+    assert not own_certificate(HOST, ["desk-4.local"]).new
+    again = own_certificate(HOST, [*others, "10.0.0.8"])
+    assert again.new
+    # What is cut off from a name is another name.
+    assert own_certificate(HOST, ["desk-4.loca"]).new
+
+
+def test_what_other_machines_install_is_an_authority_whose_key_is_gone():
+    from cryptography import x509
+
+    made = own_certificate(HOST)
+    authority = x509.load_pem_x509_certificate(made.public.read_bytes())
+    limits = authority.extensions.get_extension_for_class(x509.BasicConstraints).value
+    assert (limits.ca, limits.path_length) == (True, 0)
+    assert made.path.read_text().count("PRIVATE KEY-----") == 2  # its beginning and its end
+    secret = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
+    with pytest.raises(ssl.SSLError, match="KEY_VALUES_MISMATCH"):
+        secret.load_cert_chain(made.public, made.path)
+    assert made.authority_fingerprint != made.fingerprint
 
 
 @pytest.mark.parametrize("address", ["fe80::1", "::1"])
@@ -71,16 +98,24 @@ def test_the_key_is_for_its_user_alone(state: Path):
 
 def test_it_is_renewed_a_month_before_its_end():
     now = datetime.now(UTC)
-    made = own_certificate(HOST, now)
-    first, last = validity(ssl.PEM_cert_to_DER_cert(made.public.read_text()))
-    assert last - first == timedelta(days=DAYS)
-    assert first < now - timedelta(days=1)
-    assert not own_certificate(HOST, last - timedelta(days=RENEWED_DAYS, seconds=1)).new
-    assert own_certificate(HOST, last - timedelta(days=RENEWED_DAYS)).new
+    made = own_certificate(HOST, now=now)
+    for one in certificates_in(made.path.read_text()):
+        first, last = validity(one)
+        assert last - first == timedelta(days=DAYS)
+        assert first < now - timedelta(days=1)
+    assert not own_certificate(HOST, now=last - timedelta(days=RENEWED_DAYS, seconds=1)).new
+    assert own_certificate(HOST, now=last - timedelta(days=RENEWED_DAYS)).new
 
 
 def _other_key(made: OwnCertificate, folder: Path) -> None:
-    made.path.write_text(self_signed(folder).key.read_text() + made.public.read_text())
+    certificates = made.path.read_text().partition("-----BEGIN CERTIFICATE")
+    made.path.write_text(self_signed(folder).key.read_text() + "".join(certificates[1:]))
+
+
+def _older_form(made: OwnCertificate, folder: Path) -> None:
+    alone = self_signed(folder)
+    made.path.write_text(alone.key.read_text() + alone.certificate.read_text())
+    made.public.write_text(alone.certificate.read_text())
 
 
 def _other_address(made: OwnCertificate, folder: Path) -> None:
@@ -97,6 +132,10 @@ SPOILED = {
     "only the certificate": lambda made, folder: made.path.write_bytes(made.public.read_bytes()),
     "another key": _other_key,
     "another address": _other_address,
+    "signed by itself": _older_form,
+    "the authority of another": lambda made, folder: made.public.write_bytes(
+        own_certificate("::1").public.read_bytes()
+    ),
     "the public one is gone": lambda made, folder: made.public.unlink(),
     "the public one is torn": lambda made, folder: made.public.write_text("-----BEGIN CERTIFICATE-----\nAA"),
     "others can read it": lambda made, folder: made.path.chmod(0o644),
@@ -205,8 +244,10 @@ def another_name_is_not_of_the_certificate(opened: OpenClass) -> None:
 
 
 def the_terminal_says_fingerprint_warning_and_use(opened: OpenClass) -> None:
-    fingerprint = OwnCertificate(opened.certificate, opened.certificate, new=False).fingerprint
-    assert f"is new; its fingerprint (SHA-256) is\n{fingerprint}\n" in opened.said
+    own = OwnCertificate(opened.certificate.with_suffix(".pem"), opened.certificate, new=False)
+    assert f"is new; its fingerprint (SHA-256) is\n{own.fingerprint}\n" in opened.said
+    assert f"install its certificate from http://{opened.place}/certificate\n" in opened.said
+    assert f"with this one:\n{own.authority_fingerprint}\n" in opened.said
     assert "press `Advanced`, then `Proceed to 127.0.0.1`" in opened.said
     assert f"where {opened.certificate} is installed as trusted" in opened.said
 
@@ -225,6 +266,20 @@ def plain_http_gets_the_address_over_https(opened: OpenClass) -> None:
     assert b"<b>" not in forged
 
 
+def plain_http_gives_the_certificate_to_install(opened: OpenClass) -> None:
+    page = httpx.get(f"http://{opened.place}/", timeout=PATIENCE_S).text
+    found = re.search(r'href="(http://[^"]*/certificate)"', page)
+    assert found is not None
+    answer = httpx.get(found[1], timeout=PATIENCE_S)
+    assert (answer.status_code, answer.headers["content-type"]) == (200, "application/x-x509-ca-cert")
+    assert answer.content == opened.certificate.read_bytes()
+    assert b"PRIVATE" not in answer.content
+    assert httpx.head(found[1], timeout=PATIENCE_S).headers["content-length"] == str(len(answer.content))
+    for other in ("/certificates", "/certificate/x", "//certificate", "/%63ertificate"):
+        assert httpx.get(f"http://{opened.place}{other}", timeout=PATIENCE_S).status_code == 426
+    assert httpx.post(found[1], timeout=PATIENCE_S).status_code == 426
+
+
 def who_sends_something_else_is_put_off(opened: OpenClass) -> None:
     assert _plain(opened.place, b"x" * 20_000) == b""
     # A record of TLS that is none gets an alert of TLS, which is no page.
@@ -241,6 +296,7 @@ def test_a_class_with_a_certificate_of_its_own(open_class: OpenClass):
     another_name_is_not_of_the_certificate(open_class)
     the_terminal_says_fingerprint_warning_and_use(open_class)
     plain_http_gets_the_address_over_https(open_class)
+    plain_http_gives_the_certificate_to_install(open_class)
     who_sends_something_else_is_put_off(open_class)
 
 

@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from kitrobot.server.classroom.class_server import qr_rows, reach_sentence
+from kitrobot.server.classroom.class_server import reach_sentence
+from kitrobot.server.classroom.qr_codes import qr_rows
 from kitrobot.server.studio_server import ServerError
 
 FINDER = ["1111111", "1000001", "1011101", "1011101", "1011101", "1000001", "1111111"]

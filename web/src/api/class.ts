@@ -40,13 +40,13 @@ export const classApi = {
   ask: (code: string, name: string) => ask<server.AdmissionRequest>("/ask", post({ code, name })),
   asked: (asked: string) => ask<server.ClassAnswered>("/asked", post({ asked })),
 
-  handIn: (name: string, base: string, mission: Mission) =>
-    ask<server.HandIn>("/work", { method: "PUT", json: { name, base, mission } }),
+  handIn: (name: string, base: string, mission: Mission, exercise: string) =>
+    ask<server.HandIn>("/work", { method: "PUT", json: { name, base, mission, exercise } }),
   works: () => ask<server.Submission[]>("/work"),
   work: (name: string) => bytes(`/work/file?name=${encodeURIComponent(name)}`),
   handed: () => bytes("/handed"),
-  /** The files of the exercise as a ZIP file; empty where it comes with KitRobot. */
-  exercise: async () => (await bytes("/exercise")).bytes,
+  /** The files of an exercise that was handed out as a ZIP file; empty where it comes with KitRobot. */
+  exercise: async (name: string) => (await bytes(`/exercise?name=${encodeURIComponent(name)}`)).bytes,
 
   picture: async (folder: string): Promise<server.ClassPicture | null> => {
     const found = await answer(`/teacher/picture?folder=${encodeURIComponent(folder)}`);
@@ -55,6 +55,7 @@ export const classApi = {
   setCode: (on: boolean) => ask<boolean>("/teacher/code", post({ on })),
   freeze: (on: boolean, folders: readonly string[] | null) => ask<boolean>("/teacher/freeze", post({ on, folders })),
   setExercise: (exercise: string) => ask<boolean>("/teacher/exercise", post({ exercise })),
+  link: (exercise: string) => ask<server.TeacherLink>("/teacher/link", post({ exercise })),
   handOut: (path: string, to: readonly string[] | null) =>
     ask<server.TeacherHandedOut>("/teacher/hand-out", post({ path, to })),
   write: (folder: string, text: string) => ask<boolean>("/teacher/note", post({ folder, text })),

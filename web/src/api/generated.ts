@@ -1500,8 +1500,8 @@ export interface StudyPoint {
 /** One run: its number and seed, how it ended, and its measures by place; None: nothing was measured. */
 export type StudyRun = { row: number; seed: number; outcome: string; sentence: string; measures: (number | null)[] };
 
-/** A file that was handed in; `modified` is a moment in UTC. */
-export type Submission = { name: string; bytes: number; modified: string };
+/** A file that was handed in; `modified` is a moment in UTC, `exercise` the one that it is the work for, or "". */
+export type Submission = { name: string; bytes: number; modified: string; exercise?: string };
 
 /** One run: who failed, by the place in `agents`, and when, by that in `moments`; how it ended, when and why. */
 export interface SweepField {
@@ -1548,6 +1548,9 @@ export type TeacherGradebook = { pupils: number; unlisted: string[] };
 
 /** The name it has, and how many got it. */
 export type TeacherHandedOut = { name: string; pupils: number };
+
+/** The address that opens an exercise in this class, and its QR code: rows of 0 and 1. */
+export type TeacherLink = { address: string; qr: string[] };
 
 /** The last lines of the log, the newest first. */
 export type TeacherLog = { lines: string[] };

@@ -1,14 +1,13 @@
 /** What the page has without any feature: its mission, its programs and its look. A feature as the others are. */
-import { api } from "../api/client";
 import { t } from "../i18n/words";
 import { type StudioState, useStudio } from "../model/studio";
 import { goToProgram, moveActiveProgram, removeProgramNamed } from "../session/actions";
-import { fileName, reportError, show } from "../session/document";
+import { reportError, show } from "../session/document";
 import type { Feature } from "../session/features";
 import { keyFor } from "../session/key-table";
 import { type Panel, useLayout } from "../session/layout";
 import type { MenuEntries } from "../session/menu-table";
-import { save } from "../session/saving";
+import { downloadMission, save } from "../session/saving";
 import { chooseSimple, tellNeed, useNeed, useSimpleView } from "../session/simple-view";
 import { type ThemeChoice, useTheme } from "../theme";
 import { download } from "../ui/download";
@@ -33,7 +32,7 @@ function fileEntries({ activeProgram, report }: StudioState): MenuEntries {
       menuItem("file-save-as", t("file.save-as"), keyFor.page(KEYS.saveAs), () => show("save-as")),
     ],
     download: [
-      menuItem("file-download-krt", t("file.download-krt"), null, downloadMission),
+      menuItem("file-download-krt", t("file.download-krt"), null, () => void downloadMission()),
       menuItem("file-download-lll", lll, null, downloadProgram, !translated),
     ],
   };
@@ -167,16 +166,7 @@ export const page: Feature = {
   },
 };
 
-/** The open mission and a program of it as files for the person to keep. */
-async function downloadMission(): Promise<void> {
-  try {
-    const { text } = await api.missionText(useStudio.getState().mission);
-    download(fileName(), text, "application/xml");
-  } catch (cause) {
-    reportError(cause);
-  }
-}
-
+/** The open program as a file for the person to keep. */
 function downloadProgram(): void {
   const { activeProgram, report } = useStudio.getState();
   const found = report?.programs.find((program) => program.name === activeProgram);

@@ -1,6 +1,7 @@
 /** Copies a text to the clipboard, and says so for a moment. */
 import { useEffect, useState } from "react";
 
+import { copyText } from "../ui/copy-text";
 import { Tool } from "../ui/Tool";
 
 const COPIED_MS = 1500;
@@ -26,10 +27,7 @@ export function CopyButton({ text, label, copied, testId }: CopyButtonProps) {
       label={isCopied ? copied : label}
       testId={testId}
       onClick={() => {
-        navigator.clipboard.writeText(text).then(
-          () => setCopied(true),
-          () => setCopied(false),
-        );
+        void copyText(text).then(setCopied);
       }}
     />
   );

@@ -6,7 +6,7 @@ const KEY = "kitrobot.exercise";
 
 export interface Remembered {
   name: string;
-  /** The mission that is worked on: where the exercise began, or what it was saved as. */
+  /** The mission that is worked on (`workPlace`): where the exercise began, or what it was saved as. */
   path: string;
 }
 
@@ -24,6 +24,13 @@ interface OpenExercise {
   open: Remembered | null;
   /** Whether each goal is reached, null where that is not known, and why not. */
   goals: readonly { reached: boolean | null; why: string }[];
+  /** Hands in what is open, and says so; null where there is nobody to hand it to. */
+  handIn: (() => void) | null;
+}
+
+/** Where a mission is worked on: its path, or its name while it has no path. */
+export function workPlace({ path, name }: { path: string; name: string }): string {
+  return path === "" ? name : path;
 }
 
 /** The exercise that is open; the panel, which is fetched later, shows it. */
@@ -31,7 +38,18 @@ export const useOpenExercise = create<OpenExercise>(() => ({
   open: readRemembered(readStored(KEY)),
   goals: [],
   comments: {},
+  handIn: null,
 }));
+
+/** The exercise that is worked on in that file; "" for none. */
+export function workedOn(file: { path: string; name: string }): string {
+  const { open } = useOpenExercise.getState();
+  return open?.path === workPlace(file) ? open.name : "";
+}
+
+export function setHandIn(handIn: OpenExercise["handIn"]): void {
+  useOpenExercise.setState({ handIn });
+}
 
 export function setGoals(goals: OpenExercise["goals"]): void {
   useOpenExercise.setState({ goals });

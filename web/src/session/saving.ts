@@ -7,6 +7,7 @@ import { t } from "../i18n/words";
 import { useStudio } from "../model/studio";
 import type { Mission } from "../model/types";
 import { fileName, missionSaved, question, reportError, setSaving, show, whenReady } from "./document";
+import { download } from "../ui/download";
 import { revisionMerged } from "./merges";
 import { loadFromDisk } from "./opening";
 import { isFromRecording } from "./recordings";
@@ -62,6 +63,18 @@ function saidOfSave(locked: boolean | undefined): void {
   if (locked !== false || useSaving.getState().saidOfLocks) return;
   set({ saidOfLocks: true });
   question(t("disk.no-locks"), [], "note", t("disk.no-locks-help"));
+}
+
+/** The open mission as a file for the person to keep; false where that failed. */
+export async function downloadMission(): Promise<boolean> {
+  try {
+    const { text } = await api.missionText(useStudio.getState().mission);
+    download(fileName(), text, "application/xml");
+    return true;
+  } catch (cause) {
+    reportError(cause);
+    return false;
+  }
 }
 
 export async function write(path: string, revision: string): Promise<boolean> {

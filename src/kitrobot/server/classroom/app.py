@@ -67,6 +67,7 @@ def create_class_app(
     app.state.pictures = ClassPictures(room)
     app.state.studio = studio.state.studio
     app.state.grading = grading
+    app.state.reach = reach
     app.state.overview = Overview(room, admission, studio.state.studio, grading, reach)
     serve_pages(app, static, site)
     app.add_middleware(DeadlineMiddleware, refuse=refuse)

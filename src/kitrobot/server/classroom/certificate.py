@@ -49,7 +49,7 @@ def usable_certificate(certificate: Path, key: Path, now: datetime | None = None
     try:
         # Otherwise OpenSSL asks in the terminal for a password that the lines above did not reveal.
         ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER).load_cert_chain(certificate, key, password=lambda: "-")
-        first, last = validity(ssl.PEM_cert_to_DER_cert(words[words.index(_BEGIN) : words.index(_END) + len(_END)]))
+        first, last = validity(certificates_in(words)[0])
     except ssl.SSLError as error:
         if error.reason == "KEY_VALUES_MISMATCH":
             raise ServerError(
@@ -60,6 +60,15 @@ def usable_certificate(certificate: Path, key: Path, now: datetime | None = None
     except (OSError, ValueError, IndexError):
         raise _no_use(certificate) from None
     _expect_today(certificate, first, last, now or datetime.now(UTC))
+
+
+def certificates_in(words: str) -> list[bytes]:
+    """The certificates of a text in PEM, one after the other, as DER.
+
+    Raises:
+        ValueError: one is none.
+    """
+    return [ssl.PEM_cert_to_DER_cert(_BEGIN + part.partition(_END)[0] + _END) for part in words.split(_BEGIN)[1:]]
 
 
 def validity(der: bytes) -> tuple[datetime, datetime]:

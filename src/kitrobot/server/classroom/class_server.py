@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import io
 import ipaddress
 import socket
 import sys
 import threading
 import webbrowser
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 from urllib.parse import urlsplit
@@ -19,10 +17,12 @@ from kitrobot.classroom.record import unread_sentence
 from kitrobot.classroom.teacher_actions import TeacherActions
 from kitrobot.server.classroom.certificate import usable_certificate
 from kitrobot.server.classroom.own_certificate import OwnCertificate, own_certificate
+from kitrobot.server.classroom.qr_codes import qr_rows, qr_text
 from kitrobot.server.fallback_pages import secure_address
-from kitrobot.server.hosts import host_number, is_loopback
+from kitrobot.server.hosts import host_number, is_loopback, machine_addresses, machine_names
 from kitrobot.server.presence import Presence
 from kitrobot.server.studio_server import ServerError, has_screen, listen, print_address
+from kitrobot.server.tls_door import PlainReply, certificate_address
 from kitrobot.text.collection import collection_paused
 from kitrobot.text.sentences import Sentence
 from kitrobot.translation.reader_language import best_language, override_language, translate
@@ -62,7 +62,7 @@ def serve_class(opening: ClassSettings) -> None:
         usable_certificate(*opening.tls)
     site = _site(opening)
     shown = _shown(address)
-    own = own_certificate(shown) if opening.https else None
+    own = own_certificate(shown, _other_names(address)) if opening.https else None
     room = ClassRoom(opening.folder)
     try:
         if opening.new_code or not room.record.code:
@@ -112,7 +112,7 @@ def _serve(
     pupils = f"{scheme}://{_name(shown)}:{number}/"
     home = f"{scheme}://{'127.0.0.1' if tls is None else _name(shown)}:{number}/"
     key = new_key()
-    reach = JoinAddress(pupils, tuple(qr_rows(pupils)), reach_sentence(address, tls is not None))
+    reach = JoinAddress(pupils, qr_rows(pupils), reach_sentence(address, tls is not None))
     made = create_class_app(room, key, reach, site=site)
     teacher = f"{home}teacher?token={key}"
 
@@ -124,18 +124,23 @@ def _serve(
             threading.Thread(target=_open_browser, args=(room.folder, teacher), daemon=True).start()
 
     try:
-        warning = "" if own is None else warning_sentence(_name(shown))
-        run_server(made.app, listening, ready, tls and Tls(*tls, partial(_greet, pupils, warning)))
+        run_server(made.app, listening, ready, tls and Tls(*tls, _greeting(pupils, own)))
     finally:
         made.close()
         for one in listening:
             one.close()
 
 
-def _greet(address: str, warning: str, languages: str) -> str:
-    """The page for who opens the address without `https`; `languages` are those that the browser asks for."""
-    with override_language(best_language(languages)):
-        return secure_address(address, warning)
+def _greeting(address: str, own: OwnCertificate | None) -> PlainReply:
+    """What is said to who opens the address without `https`."""
+    host = urlsplit(address).netloc.rpartition(":")[0]
+    paragraphs = [] if own is None else [warning_sentence(host), trust_sentence("{certificate}")]
+
+    def page(languages: str) -> str:
+        with override_language(best_language(languages)):
+            return secure_address(address, *paragraphs)
+
+    return PlainReply(page, b"" if own is None else own.public.read_bytes())
 
 
 def warning_sentence(host: str) -> Sentence:
@@ -148,13 +153,26 @@ def warning_sentence(host: str) -> Sentence:
     )
 
 
-def _certificate_lines(own: OwnCertificate, host: str) -> list[str]:
+def trust_sentence(address: str) -> Sentence:
+    """How a machine comes to trust the class's own certificate, which is at that address."""
+    return Sentence(
+        "No browser warns on a machine that trusts the class: where your teacher asks you to, install its certificate"
+        " from {address}",
+        address,
+    )
+
+
+def _certificate_lines(own: OwnCertificate, address: str) -> list[str]:
+    host = urlsplit(address).hostname or ""
     made = Sentence("The certificate is new; its fingerprint (SHA-256) is")
     kept = Sentence("The certificate is the same as before; its fingerprint (SHA-256) is")
     return [
         translate(warning_sentence(host)),
         translate(made if own.new else kept),
         own.fingerprint,
+        translate(trust_sentence(certificate_address(address))),
+        translate(Sentence("and compare the fingerprint that it shows with this one:")),
+        own.authority_fingerprint,
         translate(
             Sentence(
                 "Pupils' pages then reach boards that are plugged in. They open without the network in Firefox, and in"
@@ -182,28 +200,12 @@ def _welcome(room: ClassRoom, reach: JoinAddress, site: Path | None, own: OwnCer
         translate(Sentence("Pupils open {address}", reach.address)),
         translate(Sentence("and type the code {code}", f"{code[:3]} {code[3:]}")),
         "",
-        *([] if own is None else _certificate_lines(own, urlsplit(reach.address).hostname or "")),
+        *([] if own is None else _certificate_lines(own, reach.address)),
         translate(reach.sentence),
         translate(runs),
         translate(Sentence("The work of the class is in the folder {folder}. Ctrl-C ends the class.", room.folder)),
         *(translate(unread_sentence(one)) for one in room.record.unread),
     ]
-
-
-def qr_rows(text: str) -> list[str]:
-    """A QR code: rows of 0 and 1, without the quiet zone."""
-    import segno
-
-    return ["".join("1" if module else "0" for module in row) for row in segno.make(text, micro=False).matrix]
-
-
-def qr_text(text: str) -> str:
-    """The same for a terminal."""
-    import segno
-
-    out = io.StringIO()
-    segno.make(text, micro=False).terminal(out, compact=True)
-    return out.getvalue()
 
 
 def reach_sentence(address: str, secure: bool) -> Sentence:
@@ -243,6 +245,13 @@ def _is_any(address: str) -> bool:
 def _shown(address: str) -> str:
     """The address that pupils open, of one that is listened on."""
     return _own_address() if _is_any(address) else address
+
+
+def _other_names(address: str) -> list[str]:
+    """How else pupils reach a class that listens on that address: names of this machine, and all its addresses."""
+    if is_loopback(address):
+        return []
+    return [*machine_names(), *(machine_addresses() if _is_any(address) else ())]
 
 
 def _own_address() -> str:

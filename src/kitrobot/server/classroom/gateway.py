@@ -16,7 +16,6 @@ from __future__ import annotations
 import hmac
 import ipaddress
 import secrets
-import socket
 import time
 from collections import Counter, OrderedDict
 from collections.abc import Callable
@@ -31,7 +30,7 @@ from kitrobot.classroom.pupil import Pupil
 from kitrobot.classroom.rate_limits import RateLimit
 from kitrobot.files.folder_quota import writing_within
 from kitrobot.server.classroom.studios import PupilStudios
-from kitrobot.server.hosts import host_number, is_loopback, named_host
+from kitrobot.server.hosts import host_number, is_loopback, machine_names, named_host
 from kitrobot.server.security import TOKEN_HEADER, add_security_headers, refuse
 from kitrobot.text.sentences import Sentence
 
@@ -73,7 +72,7 @@ class ClassGateway:
         self._key = key
         self._studios = studios
         self._clock = clock
-        self._names = _names_of_this_machine()
+        self._names = frozenset(("localhost", *machine_names()))
         self._allowances: OrderedDict[str, RateLimit] = OrderedDict()
         self._sockets: Counter[str] = Counter()
 
@@ -160,11 +159,6 @@ class ClassGateway:
 _NOT_IN, _JOIN = Sentence("you are not in this class"), Sentence("join it with the code")
 _LOAD = Sentence("load this page again")
 _NOT_HERE = Sentence("use a KitRobot of your own for it")
-
-
-def _names_of_this_machine() -> frozenset[str]:
-    name = socket.gethostname().lower()
-    return frozenset(("localhost", name, f"{name.split('.')[0]}.local") if name else ("localhost",))
 
 
 def _is_own_origin(headers: Headers, scheme: str) -> bool:

@@ -1,10 +1,10 @@
-"""The certificate that a class makes for itself: for one address, signed by itself, kept for the user.
+"""The certificate that a class makes for itself: for an address and the other names of this machine, kept for the user.
 
-`https/ADDRESS.pem` in the user's state folder holds the key and the certificate in one file, so that no cut leaves a
-pair that does not match; `https/ADDRESS.crt` is the certificate alone, for who installs it on other machines. What is
-kept is used again until a month before its end, so that browsers warn once; a file that cannot be used any more, or
-that others could have read, is replaced. It names its address and nothing else, and signs nothing: a machine that
-trusts it trusts this one class.
+`https/ADDRESS.pem` in the user's state folder holds the key, the certificate and its authority in one file, so that no
+cut leaves a pair that does not match; `https/ADDRESS.crt` is the authority alone, for other machines: tablets install
+nothing but authorities. The key of the authority is forgotten as soon as it has signed this one certificate, so a
+machine that trusts it trusts this one class. What is kept is used again until a month before its end, so that browsers
+warn once; a file that cannot be used any more, that lacks a name, or that others could have read, is replaced.
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ from __future__ import annotations
 import hashlib
 import ipaddress
 import os
-import ssl
 import stat
 import tempfile
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
@@ -22,7 +22,7 @@ from pathlib import Path
 from typing import Final
 
 from kitrobot.diagnostics.model import KitRobotError
-from kitrobot.server.classroom.certificate import usable_certificate, validity
+from kitrobot.server.classroom.certificate import certificates_in, usable_certificate, validity
 from kitrobot.server.studio_server import ServerError
 from kitrobot.text.sentences import Sentence
 from kitrobot.user_folders import state_folder
@@ -37,7 +37,9 @@ _EARLIER: Final = timedelta(days=2)
 
 @dataclass(frozen=True)
 class OwnCertificate:
-    """A certificate and its key in `path`, the certificate alone in `public`; `new` if it was made just now."""
+    """A certificate with its key and its authority in `path`, the authority alone in `public`; `new` if it was made
+    just now.
+    """
 
     path: Path
     public: Path
@@ -46,15 +48,25 @@ class OwnCertificate:
     @property
     def fingerprint(self) -> str:
         """SHA-256 of the certificate, as browsers show it: 32 pairs of hexadecimal digits with colons."""
-        digest = hashlib.sha256(ssl.PEM_cert_to_DER_cert(self.public.read_text("ascii"))).hexdigest().upper()
-        return ":".join(digest[at : at + 2] for at in range(0, len(digest), 2))
+        return _fingerprint(self.path)
+
+    @property
+    def authority_fingerprint(self) -> str:
+        """The same of the authority, as a machine shows it that is to trust it."""
+        return _fingerprint(self.public)
 
 
-def own_certificate(address: str, now: datetime | None = None) -> OwnCertificate:
+def _fingerprint(path: Path) -> str:
+    digest = hashlib.sha256(certificates_in(path.read_text("ascii"))[0]).digest()
+    return ":".join(f"{byte:02X}" for byte in digest)
+
+
+def own_certificate(address: str, others: Sequence[str] = (), now: datetime | None = None) -> OwnCertificate:
     """The certificate of this user for an address in the network; made where there is none that can be used.
 
     Args:
         address: the number that pupils open, of IPv4 or IPv6, without brackets.
+        others: names and numbers that lead to this machine too.
         now: for tests.
 
     Raises:
@@ -65,13 +77,14 @@ def own_certificate(address: str, now: datetime | None = None) -> OwnCertificate
     # Windows takes no colon in a name.
     stem = str(ipaddress.ip_address(address)).replace(":", "-").replace("%", "-")
     kept = OwnCertificate(folder / f"{stem}.pem", folder / f"{stem}.crt", new=False)
-    if _can_be_used(kept, address, now):
+    names = list(dict.fromkeys((address, *others)))
+    if _can_be_used(kept, names, now):
         return kept
-    key, certificate = _made(address, now)
+    pair, authority = _made(names, now)
     try:
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-        _write(kept.public, certificate, 0o644)
-        _write(kept.path, key + certificate, 0o600)
+        _write(kept.public, authority, 0o644)
+        _write(kept.path, pair + authority, 0o600)
     except OSError as error:
         raise ServerError(
             Sentence(
@@ -82,30 +95,38 @@ def own_certificate(address: str, now: datetime | None = None) -> OwnCertificate
     return OwnCertificate(kept.path, kept.public, new=True)
 
 
-def _can_be_used(kept: OwnCertificate, address: str, now: datetime) -> bool:
-    """Whether what is kept is ours alone, whole, of this address, and counts for some time yet."""
+def _can_be_used(kept: OwnCertificate, names: Sequence[str], now: datetime) -> bool:
+    """Whether what is kept is ours alone, whole, has these names, and counts for some time yet."""
     try:
         state = os.lstat(kept.path)
         others = os.name != "nt" and (state.st_uid != os.geteuid() or state.st_mode & 0o077)
         if others or not stat.S_ISREG(state.st_mode):
             return False
         usable_certificate(kept.path, kept.path, now)
-        certificate = kept.path.read_text("ascii")
-        der = ssl.PEM_cert_to_DER_cert(certificate[certificate.index("-----BEGIN CERTIFICATE") :].strip())
-        same = der == ssl.PEM_cert_to_DER_cert(kept.public.read_text("ascii"))
-        return same and _names(der, address) and validity(der)[1] - now > timedelta(days=RENEWED_DAYS)
+        der, *rest = certificates_in(kept.path.read_text("ascii"))
+        whole = len(rest) == 1 and rest == certificates_in(kept.public.read_text("ascii"))
+        named = all(_encoded(name) in der for name in names)
+        return whole and named and validity(der)[1] - now > timedelta(days=RENEWED_DAYS)
     except (KitRobotError, OSError, ValueError, IndexError):
         return False
 
 
-def _names(der: bytes, address: str) -> bool:
-    """Whether a certificate of ours is for that address: its list of names has one element."""
-    packed = ipaddress.ip_address(address).packed
-    return bytes([0x04, len(packed) + 4, 0x30, len(packed) + 2, 0x87, len(packed)]) + packed in der
+def _number(name: str) -> ipaddress.IPv4Address | ipaddress.IPv6Address | None:
+    try:
+        return ipaddress.ip_address(name)
+    except ValueError:
+        return None
 
 
-def _made(address: str, now: datetime) -> tuple[bytes, bytes]:
-    """A new key and its certificate, in PEM.
+def _encoded(name: str) -> bytes:
+    """A name or number as it stands in a certificate's list of names."""
+    number = _number(name)
+    tag, data = (0x82, name.encode("ascii")) if number is None else (0x87, number.packed)
+    return bytes([tag, len(data)]) + data
+
+
+def _made(names: Sequence[str], now: datetime) -> tuple[bytes, bytes]:
+    """A new key with its certificate, and the authority that signed it, in PEM.
 
     Raises:
         ServerError: the package `cryptography` is missing.
@@ -123,25 +144,41 @@ def _made(address: str, now: datetime) -> tuple[bytes, bytes]:
                 "`pip install kitrobot[https]`",
             ),
         ) from None
-    key = ec.generate_private_key(ec.SECP256R1())
-    name = x509.Name([x509.NameAttribute(x509.NameOID.COMMON_NAME, f"KitRobot class at {address}")])
-    use = x509.KeyUsage(True, False, False, False, False, False, False, False, False)
-    identifier = x509.SubjectKeyIdentifier.from_public_key(key.public_key())
-    certificate = (
-        x509.CertificateBuilder(name, name, key.public_key(), x509.random_serial_number())
-        .not_valid_before(now - _EARLIER)
-        .not_valid_after(now - _EARLIER + timedelta(days=DAYS))
-        .add_extension(x509.SubjectAlternativeName([x509.IPAddress(ipaddress.ip_address(address))]), critical=False)
-        .add_extension(x509.BasicConstraints(ca=False, path_length=None), critical=True)
-        .add_extension(use, critical=True)
-        .add_extension(x509.ExtendedKeyUsage([ExtendedKeyUsageOID.SERVER_AUTH]), critical=False)
-        .add_extension(identifier, critical=False)
-        .sign(key, hashes.SHA256())
+    master, key = ec.generate_private_key(ec.SECP256R1()), ec.generate_private_key(ec.SECP256R1())
+
+    def signed(
+        title: str, of: ec.EllipticCurvePrivateKey, is_authority: bool, *extensions: x509.ExtensionType
+    ) -> bytes:
+        # A server signs what it says, an authority certificates.
+        use = x509.KeyUsage(not is_authority, False, False, False, False, is_authority, False, False, False)
+        issuer, subject = (x509.Name([x509.NameAttribute(x509.NameOID.COMMON_NAME, one)]) for one in (root, title))
+        made = (
+            x509.CertificateBuilder(issuer, subject, of.public_key(), x509.random_serial_number())
+            .not_valid_before(now - _EARLIER)
+            .not_valid_after(now - _EARLIER + timedelta(days=DAYS))
+            .add_extension(x509.BasicConstraints(is_authority, 0 if is_authority else None), critical=True)
+            .add_extension(use, critical=True)
+            .add_extension(x509.SubjectKeyIdentifier.from_public_key(of.public_key()), critical=False)
+            .add_extension(x509.AuthorityKeyIdentifier.from_issuer_public_key(master.public_key()), critical=False)
+        )
+        for one in extensions:
+            made = made.add_extension(one, critical=False)
+        return made.sign(master, hashes.SHA256()).public_bytes(serialization.Encoding.PEM)
+
+    root = f"KitRobot class at {names[0]}"
+    numbers = [(name, _number(name)) for name in names]
+    listed = [x509.DNSName(name) if number is None else x509.IPAddress(number) for name, number in numbers]
+    certificate = signed(
+        names[0],
+        key,
+        False,
+        x509.SubjectAlternativeName(listed),
+        x509.ExtendedKeyUsage([ExtendedKeyUsageOID.SERVER_AUTH]),
     )
     secret = key.private_bytes(
         serialization.Encoding.PEM, serialization.PrivateFormat.PKCS8, serialization.NoEncryption()
     )
-    return secret, certificate.public_bytes(serialization.Encoding.PEM)
+    return secret + certificate, signed(root, master, True)
 
 
 def _write(path: Path, data: bytes, mode: int) -> None:

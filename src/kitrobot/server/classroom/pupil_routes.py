@@ -13,7 +13,7 @@ from starlette.requests import HTTPConnection
 from kitrobot.classroom.admission import Admission, AdmissionRefusedError, NameTakenError
 from kitrobot.classroom.assignments import pack
 from kitrobot.classroom.class_room import ClassRoom
-from kitrobot.classroom.exercises import files_of_exercise
+from kitrobot.classroom.exercises import files_of_exercise, is_exercise
 from kitrobot.classroom.messages import (
     AdmissionRequestShape,
     ClassAnsweredShape,
@@ -27,7 +27,7 @@ from kitrobot.classroom.pictures import ClassPictures
 from kitrobot.classroom.pupil import Pupil
 from kitrobot.classroom.pupil_status import HandIn
 from kitrobot.classroom.submissions import Submission
-from kitrobot.server.routes.api_router import api_router
+from kitrobot.server.routes.api_router import ThisStudio, api_router
 from kitrobot.server.routes.mission_encoding import mission_bytes
 from kitrobot.text.sentences import Sentence
 from kitrobot.wire.mission import mission_from_shape
@@ -109,10 +109,13 @@ def asked(admission: Door, wanted: AdmissionRequestShape) -> ClassAnsweredShape:
 
 
 @class_routes.put("/work")
-def hand_in(room: ThisRoom, pupil: ThisPupil, request: Request, wanted: ClassHandInShape) -> HandIn:
+def hand_in(room: ThisRoom, pupil: ThisPupil, studio: ThisStudio, request: Request, wanted: ClassHandInShape) -> HandIn:
     """Keeps a mission; once this is answered it is on the disk. One that would not open for the teacher is refused."""
     data = mission_bytes(mission_from_shape(wanted.mission), wanted.name)
-    kept = room.hand_in(pupil, wanted.name, data, wanted.base)
+    exercise = wanted.exercise
+    if exercise not in pupil.record.works and not is_exercise(studio, exercise):
+        exercise = ""
+    kept = room.hand_in(pupil, wanted.name, data, wanted.base, exercise)
     _pictures(request).take(pupil, wanted.mission)
     return kept
 
@@ -131,11 +134,11 @@ def work_file(room: ThisRoom, pupil: ThisPupil, name: Name) -> Response:
 
 
 @class_routes.get("/exercise", response_class=Response)
-def exercise(room: ThisRoom, pupil: ThisPupil) -> Response:
-    """The files of the exercise of the class as a ZIP file, for a page that has a studio of its own; nothing (204)
-    where the exercise comes with KitRobot.
+def exercise(room: ThisRoom, pupil: ThisPupil, name: Name = "") -> Response:
+    """The files of an exercise that was handed out as a ZIP file, for the studio of the page; nothing (204) where it
+    comes with KitRobot. Without a name it is that of the class.
     """
-    _, files = files_of_exercise(room)
+    _, files = files_of_exercise(room, name)
     return Response(pack(files), media_type="application/zip") if files else Response(status_code=204)
 
 

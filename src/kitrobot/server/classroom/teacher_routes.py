@@ -28,6 +28,7 @@ from kitrobot.classroom.messages import (
     TeacherGradeShape,
     TeacherHandedOutShape,
     TeacherHandOutShape,
+    TeacherLinkShape,
     TeacherLogShape,
     TeacherMarksShape,
     TeacherNoteShape,
@@ -35,11 +36,13 @@ from kitrobot.classroom.messages import (
     TeacherPupilShape,
     TeacherTurnShape,
 )
+from kitrobot.classroom.overview import JoinAddress
 from kitrobot.classroom.pictures import ClassPictures
 from kitrobot.classroom.pupil import Pupil
 from kitrobot.classroom.teacher_actions import TeacherActions
 from kitrobot.files.embedded_mission import carried_mission
 from kitrobot.server.classroom.pupil_routes import ThisRoom, room_of
+from kitrobot.server.classroom.qr_codes import qr_rows
 from kitrobot.server.classroom.studios import PupilStudios
 from kitrobot.server.routes.api_router import ThisStudio, api_router
 from kitrobot.text.sentences import Sentence
@@ -111,6 +114,15 @@ def exercise(
     if isinstance(studios, PupilStudios):
         studios.take_exercise()
     return True
+
+
+@teacher_routes.post("/link")
+def link(room: ThisRoom, studio: ThisStudio, request: Request, wanted: TeacherExerciseShape) -> TeacherLinkShape:
+    """An address that opens an exercise for a pupil, whichever the class has; one of the folder is handed out."""
+    reach = request.app.state.reach
+    assert isinstance(reach, JoinAddress)
+    address = reach.link(room.record, hand_out_exercise(room, studio, wanted.exercise))
+    return TeacherLinkShape(address=address, qr=qr_rows(address))
 
 
 @teacher_routes.post("/hand-out")

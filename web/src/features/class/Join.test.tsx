@@ -21,6 +21,7 @@ beforeEach(async () => {
 });
 afterEach(() => {
   page.end();
+  window.history.replaceState(null, "", "#");
   vi.restoreAllMocks();
 });
 
@@ -34,6 +35,33 @@ it("a code is written in capitals, and one that is wrong is said with what helps
   await press("join-go");
   expect(join).toHaveBeenCalledWith("ABC234", "Zoé", "");
   expect(hands.find("join-failure").textContent).toContain("Not the code. Ask your teacher.");
+});
+
+it("a link brings the code along, and the name alone is asked", async () => {
+  page.end();
+  window.history.replaceState(null, "", "#exercise=x&class=5b&code=ABC234");
+  const join = vi.spyOn(classApi, "join").mockReturnValue(new Promise(() => undefined));
+  page = mount(<Join />);
+  hands = handsOn(page);
+  await settle();
+  expect(hands.find<HTMLInputElement>("join-code").value).toBe("ABC234");
+  expect(document.activeElement).toBe(hands.find("join-name"));
+  hands.fill("join-name", "Ada");
+  await press("join-go");
+  expect(join).toHaveBeenCalledWith("ABC234", "Ada", "");
+  // It is followed once the pupil is in.
+  expect(window.location.hash).toBe("#exercise=x&class=5b&code=ABC234");
+});
+
+it("a link of another class is said, and its code is not typed", async () => {
+  page.end();
+  window.history.replaceState(null, "", "#exercise=x&class=6a&code=ABC234");
+  page = mount(<Join />);
+  hands = handsOn(page);
+  await settle();
+  expect(hands.find("join-other").textContent).toContain("This link is for 6a, and this is 5b.");
+  expect(hands.find<HTMLInputElement>("join-code").value).toBe("");
+  expect(document.activeElement).toBe(hands.find("join-code"));
 });
 
 it("a name that is taken asks for the word, with which the pupil comes back, or for the teacher's yes", async () => {

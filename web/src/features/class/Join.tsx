@@ -11,6 +11,7 @@ import { takeToken } from "../../api/token";
 import { inPage } from "../../api/transport";
 import { Said } from "../../i18n/Said";
 import { t } from "../../i18n/words";
+import { readExerciseLink } from "../../session/exercise-link";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
 import { forgetLeft } from "./left";
@@ -35,7 +36,8 @@ function Field({ label, help, children }: { label: string; help?: string; childr
 
 export function Join() {
   const [about, setAbout] = useState<{ name: string; joining: boolean } | null>(null);
-  const [code, setCode] = useState("");
+  const [link] = useState(() => readExerciseLink(window.location.hash));
+  const [typed, setCode] = useState<string | null>(null);
   const [name, setName] = useState("");
   const [word, setWord] = useState("");
   /** The name that is taken. */
@@ -44,6 +46,15 @@ export function Join() {
   const [failure, setFailure] = useState<Failure | null>(null);
   const [busy, setBusy] = useState(false);
   const nameField = useRef<HTMLInputElement>(null);
+
+  const other = about !== null && (link?.className ?? "") !== "" && link?.className !== about.name;
+  // The code of another class lets nobody in here.
+  const code = typed ?? (other ? "" : (link?.code ?? ""));
+
+  const codeField = useRef<HTMLInputElement>(null);
+  useEffect(() => {
+    if (other) codeField.current?.focus();
+  }, [other]);
 
   const fail = (cause: unknown) => setFailure(whyRefused(cause));
   useEffect(forgetLeft, []);
@@ -105,11 +116,17 @@ export function Join() {
     <main className="join centred scroll" aria-label={t("class.join-title", { name: about?.name ?? "" })}>
       <form className="join-card surface" onSubmit={join} data-testid="join">
         <h1>{t("class.join-title", { name: `\u2068${about?.name ?? "…"}\u2069` })}</h1>
+        {other ? (
+          <p className="join-other notice" role="status" data-testid="join-other">
+            {t("class.other-link", { wanted: link?.className ?? "", name: about.name })} {t("class.other-link-help")}
+          </p>
+        ) : null}
         {about?.joining === false ? <p>{t("class.no-joining")}</p> : null}
         <Field label={t("class.code")} help={t("class.code-help")}>
           <input
             className="field join-code"
             data-testid="join-code"
+            ref={codeField}
             value={code}
             onChange={(event) => setCode(event.target.value.toUpperCase())}
             autoCapitalize="characters"
@@ -118,7 +135,7 @@ export function Join() {
             maxLength={12}
             dir="ltr"
             required
-            autoFocus
+            autoFocus={code === ""}
           />
         </Field>
         <Field label={t("class.your-name")}>
@@ -136,6 +153,7 @@ export function Join() {
             maxLength={60}
             dir="auto"
             required
+            autoFocus={code !== ""}
           />
         </Field>
         {taken === "" ? null : (

@@ -12,7 +12,7 @@ test("a mission that is begun anew is handed in beside what has its name; anothe
 test("what is remembered is read, and what makes no sense is not", () => {
   const whole = {
     places: { a: { name: "a.krt", revision: "r" } },
-    waiting: { shown: "a", place: { name: "a", revision: "" }, mission: {} },
+    waiting: { shown: "a", place: { name: "a", revision: "" }, mission: {}, exercise: "x" },
     begun: true,
     handed: 3,
     exercise: "x",
@@ -21,5 +21,7 @@ test("what is remembered is read, and what makes no sense is not", () => {
   };
   expect(readMemory(JSON.stringify(whole))).toEqual(whole);
   expect(readMemory('{"places":{"a":1},"waiting":{"shown":"a"},"handed":"x"}')).toEqual(NOTHING);
+  const older = { ...whole, waiting: { ...whole.waiting, exercise: undefined } };
+  expect(readMemory(JSON.stringify(older)).waiting?.exercise).toBe("");
   for (const text of [null, "", "{", "[]", "3"]) expect(readMemory(text)).toEqual(NOTHING);
 });

@@ -12,6 +12,8 @@ export interface Waiting {
   shown: string;
   place: Place;
   mission: unknown;
+  /** The exercise that it is for, "" for none. */
+  exercise: string;
 }
 
 export interface Memory {
@@ -52,14 +54,16 @@ export function readMemory(text: string | null): Memory {
   ) as Record<string, unknown>;
   const known =
     typeof places === "object" && places !== null ? Object.entries(places).filter(([, one]) => isPlace(one)) : [];
-  const { shown, place, mission } = (typeof waiting === "object" && waiting !== null ? waiting : {}) as Record<
-    string,
-    unknown
-  >;
+  const {
+    shown,
+    place,
+    mission,
+    exercise: of,
+  } = (typeof waiting === "object" && waiting !== null ? waiting : {}) as Record<string, unknown>;
   const whole = typeof shown === "string" && isPlace(place) && typeof mission === "object" && mission !== null;
   return {
     places: Object.fromEntries(known),
-    waiting: whole ? { shown, place, mission } : null,
+    waiting: whole ? { shown, place, mission, exercise: typeof of === "string" ? of : "" } : null,
     begun: begun === true,
     handed: typeof handed === "number" ? handed : 0,
     exercise: typeof exercise === "string" ? exercise : "",

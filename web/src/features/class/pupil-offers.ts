@@ -4,11 +4,10 @@ import { create } from "zustand";
 import { classApi } from "../../api/class";
 import { api } from "../../api/client";
 import { exerciseApi } from "../../api/exercises";
-import { inPage } from "../../api/transport";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import { remember as rememberExercise } from "../../session/open-exercise";
-import { beginMission, openPath } from "../../session/open-requests";
+import { beginMission, openMissionOfLesson } from "../../session/open-requests";
 
 export interface Offer {
   kind: "handed" | "exercise" | "note" | "comment";
@@ -37,20 +36,20 @@ export function openHanded(name: string): void {
   beginMission(async () => api.readMission(`${name}.krt`, (await classApi.handed()).bytes), name);
 }
 
-/** The offer of an exercise; null for one that does not judge. */
-export async function exerciseOffer(name: string): Promise<Offer | null> {
-  if (inPage()) await fetchExercise(name);
+/** The offer of an exercise; null for one that does not judge. `fetched`: false where the class does not answer. */
+export async function exerciseOffer(name: string, fetched = true): Promise<Offer | null> {
+  if (fetched) await fetchExercise(name);
   const found = (await exerciseApi.all()).find((one) => one.name === name);
   if (found === undefined || found.goals.length === 0) return null;
   const open = () => {
     rememberExercise({ name, path: found.start });
-    if (useStudio.getState().file.path !== found.start) openPath(found.start);
+    if (useStudio.getState().file.path !== found.start) openMissionOfLesson(found.start);
   };
   return { kind: "exercise", words: text(found.label, name), open };
 }
 
-/** Gives the files of the exercise, where they are the teacher's own, to the studio in this page. */
+/** Gives the files of the exercise, where they are the teacher's own, to the studio of this page. */
 async function fetchExercise(name: string): Promise<void> {
-  const files = await classApi.exercise();
+  const files = await classApi.exercise(name);
   if (files.byteLength > 0) await exerciseApi.keep(name, files);
 }

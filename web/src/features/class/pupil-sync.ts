@@ -13,16 +13,26 @@ import { takeToken } from "../../api/token";
 import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import type { Mission } from "../../model/types";
-import { reportError, shownName, whenReady } from "../../session/document";
-import { setComments, useOpenExercise } from "../../session/open-exercise";
+import { asMissionPath, note, reportError, shownName, whenReady } from "../../session/document";
+import { readExerciseLink } from "../../session/exercise-link";
+import {
+  remember as rememberExercise,
+  setComments,
+  setHandIn,
+  useOpenExercise,
+  workedOn,
+} from "../../session/open-exercise";
 import { beginMission } from "../../session/open-requests";
 import { useRun } from "../../session/run";
 import { endAll, listen } from "../../ui/effects";
 import { readStored, writeStored } from "../../ui/browser-storage";
+import { watchHash } from "../../ui/page-hash";
 import { tellArena } from "./arena";
-import { type Memory, type Place, placeFor, readMemory, storageName } from "./hand-in-memory";
+import { type Memory, type Place, placeFor, readMemory, storageName, type Waiting } from "./hand-in-memory";
 import { forgetKept, leaveFiles } from "./left";
+import { openLinked } from "./linked";
 import { exerciseOffer, offer, openHanded, openOrOffer } from "./pupil-offers";
+import { reportOf } from "./pupil-report";
 
 const QUIET_MS = 1200;
 const LONGEST_MS = 5000;
@@ -75,10 +85,12 @@ class PupilSync {
   #socket: ClassSocket<Said> | null = null;
   /** Where the open mission is handed in, and what of it the class does not have. */
   #place: Place = { name: "", revision: "" };
-  #waiting: { shown: string; place: Place; mission: Mission } | null = null;
+  #waiting: (Waiting & { mission: Mission }) | null = null;
   #since = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #sending = false;
+  /** The pupil pressed Hand in: it is said when it is done. */
+  #pressed = false;
   /** The teacher is let in to edit once everything is handed in. */
   #letting = false;
   /** The name under which work of the class is opened next: it goes on where it was. */
@@ -100,10 +112,11 @@ class PupilSync {
   }
 
   #changed(mission: Mission): void {
-    const shown = shownName(useStudio.getState().file.name);
+    const { file } = useStudio.getState();
+    const shown = shownName(file.name);
     const now = Date.now();
     if (this.#waiting === null) this.#since = now;
-    this.#waiting = { shown, place: this.#place, mission };
+    this.#waiting = { shown, place: this.#place, mission, exercise: workedOn(file) };
     set({ kept: useClassroom.getState().connected ? "waits" : "here" });
     this.#later(Math.min(QUIET_MS, Math.max(0, this.#since + LONGEST_MS - now)));
   }
@@ -118,49 +131,80 @@ class PupilSync {
     const mine = this.#waiting;
     this.#sending = true;
     try {
-      const kept = await classApi.handIn(mine.place.name || mine.shown, mine.place.revision, mine.mission);
+      const { place, shown, mission, exercise } = mine;
+      const kept = await classApi.handIn(place.name || shown, place.revision, mission, exercise);
       // What was changed meanwhile goes on from what is kept now.
-      if (this.#place === mine.place) this.#place = kept;
-      if (this.#waiting !== null && this.#waiting !== mine && this.#waiting.place === mine.place)
-        this.#waiting.place = kept;
+      if (this.#place === place) this.#place = kept;
+      if (this.#waiting !== null && this.#waiting !== mine && this.#waiting.place === place) this.#waiting.place = kept;
       if (this.#waiting === mine) this.#waiting = null;
-      this.#keepMemory({ places: { ...this.#memory.places, [mine.shown]: kept }, waiting: null });
+      this.#keepMemory({ places: { ...this.#memory.places, [shown]: kept }, waiting: null });
       set({ kept: this.#waiting === null ? "yes" : "waits", problem: "" });
       if (this.#waiting !== null) this.#later(QUIET_MS);
       else if (this.#letting) this.#giveTurn(true);
+      if (this.#waiting === null) this.#sayHandedIn(kept.name);
     } catch (cause) {
       this.#keepMemory({ waiting: mine });
       const status = cause instanceof ApiError ? cause.status : 0;
       if (status === 403) void expectIn();
       const refused = status >= 400 && status < 500 && status !== 403 && status !== 429;
       set({ kept: refused ? "refused" : "here", problem: cause instanceof Error ? cause.message : "" });
+      if (this.#pressed && !refused) note(t("class.kept-here"), t("class.kept-here-help"));
       this.#later(AGAIN_MS);
     } finally {
       this.#sending = false;
     }
   }
 
+  /** Hands in what is open now, and says so. */
+  readonly #press = (): void => {
+    this.#pressed = true;
+    this.#changed(useStudio.getState().mission);
+    this.#later(0);
+  };
+
+  #sayHandedIn(name: string): void {
+    if (!this.#pressed) return;
+    this.#pressed = false;
+    const of = useClassroom.getState().news?.class_name ?? "";
+    note(t("class.handed-in", { name, class: of }), t("class.handed-in-help"));
+  }
+
   /** What an earlier page of this browser could not hand in. */
   #goOnWaiting(): void {
     const before = this.#memory.waiting;
     if (before === null || this.#waiting !== null) return;
-    this.#waiting = { shown: before.shown, place: before.place, mission: before.mission as Mission };
+    this.#waiting = { ...before, mission: before.mission as Mission };
     set({ kept: "waits" });
     this.#later(0);
   }
 
-  async #openWork(name: string): Promise<void> {
+  readonly #openWork = async (name: string, exercise: string): Promise<void> => {
     const { bytes, revision } = await classApi.work(name);
     this.#keepMemory({ places: { ...this.#memory.places, [name]: { name, revision } } });
     this.#goesOn = name;
+    if (exercise !== "") rememberExercise({ name: exercise, path: asMissionPath(name) });
     beginMission(() => api.readMission(name, bytes), name);
+  };
+
+  /** Follows the link of the address; `className` is "" while the class does not answer. */
+  #follow(className: string): void {
+    if (readExerciseLink(window.location.hash) === null) return;
+    // Nothing else comes over what is opened now.
+    if (!this.#memory.begun && className === "") this.#keepMemory({ begun: true });
+    const waits = (exercise: string) => (this.#waiting ?? this.#memory.waiting)?.exercise === exercise;
+    this.#hearing = this.#hearing
+      .then(whenReady)
+      .then(() => openLinked({ className, waits, openWork: this.#openWork }))
+      .catch(reportError);
   }
 
   /** The first page of this pupil in this browser: goes on where the pupil was, else begins what the class does. */
   async #beginFirst(news: PupilNewsMessage): Promise<void> {
     this.#keepMemory({ begun: true, handed: news.handed, exercise: news.exercise });
+    // A link says itself what is opened.
+    if (readExerciseLink(window.location.hash) !== null) return;
     const [newest] = await classApi.works();
-    if (newest !== undefined) await this.#openWork(newest.name);
+    if (newest !== undefined) await this.#openWork(newest.name, newest.exercise ?? "");
     else if (news.handed > 0) openHanded(news.handed_name);
     else if (news.exercise !== "") (await exerciseOffer(news.exercise))?.open?.();
   }
@@ -173,6 +217,7 @@ class PupilSync {
       .then(() => this.#obey(news))
       .then(() => (before === "teacher" && news.turn === "pupil" ? this.#takeBack() : undefined))
       .catch(reportError);
+    this.#follow(news.class_name);
   }
 
   async #obey(news: PupilNewsMessage): Promise<void> {
@@ -204,9 +249,7 @@ class PupilSync {
     if (fresh === undefined && Object.keys(known).length === Object.keys(comments).length) return;
     this.#keepMemory({ comments: { ...comments } });
     if (fresh === undefined) return;
-    const { open } = useOpenExercise.getState();
-    if (open?.name !== fresh[0] || open.path !== useStudio.getState().file.path)
-      offer({ kind: "comment", words: fresh[1], open: null });
+    if (workedOn(useStudio.getState().file) !== fresh[0]) offer({ kind: "comment", words: fresh[1], open: null });
   }
 
   /** Lets the teacher edit, once the class has what is open here; or not, or not any more. */
@@ -246,17 +289,7 @@ class PupilSync {
   #report(): void {
     this.#reporting ??= setTimeout(() => {
       this.#reporting = undefined;
-      const { file } = useStudio.getState();
-      const { open, goals } = useOpenExercise.getState();
-      const said: ReportMessage = {
-        type: "report",
-        running: useRun.getState().status === "running",
-        ...this.#counts,
-        file: shownName(file.name).slice(0, 200),
-        exercise: open?.name ?? "",
-        goals:
-          open === null ? [] : goals.slice(0, 100).map(({ reached, why }) => ({ reached, why: why.slice(0, 500) })),
-      };
+      const said = reportOf(this.#counts);
       const words = JSON.stringify(said);
       if (words === this.#told) return;
       this.#told = words;
@@ -291,6 +324,7 @@ class PupilSync {
       onLost: () => {
         set(({ kept }) => ({ connected: false, kept: kept === "waits" ? "here" : kept }));
         void expectIn();
+        if (useClassroom.getState().news === null) this.#follow("");
       },
     });
     const offStudio = useStudio.subscribe((state, before) => {
@@ -321,8 +355,13 @@ class PupilSync {
       (arena) => this.#socket?.say({ type: "arena", arena }),
     );
     const offHiding = listen(document, { visibilitychange: () => void this.#handIn() });
+    const offHash = watchHash(() => {
+      const { news } = useClassroom.getState();
+      if (news !== null) this.#follow(news.class_name);
+    });
+    setHandIn(this.#press);
     return () => {
-      endAll(offStudio, offRun, offGoals, offArena, offHiding)();
+      endAll(offStudio, offRun, offGoals, offArena, offHiding, offHash, () => setHandIn(null))();
       clearTimeout(this.#timer);
       clearTimeout(this.#reporting);
       this.#reporting = undefined;

@@ -46,6 +46,8 @@ const NEWS: PupilNewsMessage = {
   turn: "pupil",
   comments: {},
 };
+const GOAL = { label: {}, kind: "run" as const };
+const SQUARE = { name: "x.exercise.xml", start: FILE.path, label: { "": "Square" }, goals: [GOAL] };
 /** What is in the studio beside what the class draws, as far as holding it is concerned. */
 const STUDIO = '<button class="team-stop">STOP</button><div class="middle"><button id="tool">Tool</button></div>';
 
@@ -61,6 +63,7 @@ beforeEach(async () => {
   useDocument.setState({ ready: true, banner: null });
   wire = holdClassWire();
   vi.spyOn(classApi, "works").mockResolvedValue([]);
+  vi.spyOn(classApi, "exercise").mockResolvedValue(new ArrayBuffer(0));
   studio = document.createElement("div");
   studio.innerHTML = STUDIO;
   document.body.append(studio);
@@ -141,6 +144,49 @@ it("hands in what is done, and keeps it here while the class does not answer", a
   expect(handIn.mock.lastCall?.[2].world).toBe("third.world.xml");
 });
 
+it("hands in at once what is asked for, for its exercise, and says so", async () => {
+  vi.useFakeTimers();
+  const handIn = vi.spyOn(classApi, "handIn").mockRejectedValueOnce(new Error("nobody answers"));
+  handIn.mockResolvedValue({ name: "a.krt", revision: "r2" });
+  remember({ name: "x.exercise.xml", path: FILE.path });
+  page.act(() => useOpenExercise.getState().handIn?.());
+  await act(() => vi.advanceTimersByTimeAsync(100));
+  expect(handIn.mock.calls).toEqual([["a.krt", "", MISSION, "x.exercise.xml"]]);
+  expect(useDocument.getState().banner?.message).toBe("Your work is kept here");
+  await act(() => vi.advanceTimersByTimeAsync(5000));
+  expect(useDocument.getState().banner?.message).toBe("Handed in to 5b: a.krt.");
+  // What goes by itself is not said; in another mission it is for no exercise.
+  page.act(() => useDocument.setState({ banner: null }));
+  page.act(() => useStudio.getState().openMission({ ...FILE, path: "", name: "b.krt" }));
+  edit();
+  await act(() => vi.advanceTimersByTimeAsync(5000));
+  expect(handIn.mock.lastCall?.[3]).toBe("");
+  expect(useDocument.getState().banner).toBeNull();
+  page.end();
+  expect(useOpenExercise.getState().handIn).toBeNull();
+});
+
+it("opens what a link names in place of what comes first", async () => {
+  page.end();
+  localStorage.clear();
+  useClassroom.setState(useClassroom.getInitialState());
+  window.history.replaceState(null, "", "#exercise=x.exercise.xml&class=5b&code=ABCDEF");
+  vi.spyOn(exerciseApi, "all").mockResolvedValue([SQUARE as never]);
+  vi.mocked(classApi.works).mockResolvedValue([
+    { name: "new.krt", bytes: 1, modified: "", exercise: "" },
+    { name: "square.krt", bytes: 1, modified: "", exercise: SQUARE.name },
+  ]);
+  const work = vi.spyOn(classApi, "work").mockResolvedValue({ bytes: new ArrayBuffer(0), revision: "r7" });
+  vi.spyOn(api, "readMission").mockResolvedValue({ ...FILE, path: "", name: "square.krt" });
+  page = mount(<PupilBar />);
+  await act(() => Promise.resolve(wire.open()));
+  await hear({});
+  await act(() => vi.waitFor(() => expect(useStudio.getState().file.name).toBe("square.krt")));
+  expect(work.mock.calls).toEqual([["square.krt"]]);
+  expect(useOpenExercise.getState().open).toEqual({ name: SQUARE.name, path: "square.krt" });
+  expect(window.location.hash).toBe("");
+});
+
 it("puts the hand up and down, and the class has the last word", async () => {
   hands.click("class-hand");
   expect(wire.heard("hand")).toEqual([{ type: "hand", up: true }]);
@@ -172,8 +218,7 @@ it("opens what is handed out where nothing is unsaved, else offers it", async ()
 });
 
 it("opens the exercise of the class, and shows a comment on another one", async () => {
-  const goal = { label: {}, kind: "run" as const };
-  const one = { name: "x.exercise.xml", start: FILE.path, label: { "": "Square" }, goals: [goal] };
+  const one = SQUARE;
   vi.spyOn(exerciseApi, "all").mockResolvedValue([one as never]);
   await hear({ exercise: one.name });
   expect(useOpenExercise.getState().open).toEqual({ name: one.name, path: one.start });

@@ -7,7 +7,7 @@ import { moreWords } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { CARRIER, fileOf, missionOf } from "../../model/testing/missions";
 import { setOpenLesson, useLessons } from "../../session/lessons";
-import { remember, setComments } from "../../session/open-exercise";
+import { remember, setComments, setHandIn, useOpenExercise } from "../../session/open-exercise";
 import { useRun } from "../../session/run";
 import { type Hands, handsOn } from "../../testing/hands";
 import { mount, type Mounted, settle } from "../../testing/hooks";
@@ -117,4 +117,23 @@ it("shows what the teacher wrote on it, and is left", async () => {
   expect(hands.find("exercise-comment").textContent).toContain("A fine start");
   await settle(() => hands.click("exercise-leave"));
   expect(hands.has("exercise")).toBe(false);
+});
+
+it("hands in where there is somebody to hand in to", async () => {
+  expect(hands.has("exercise-hand-in")).toBe(false);
+  const handIn = vi.fn();
+  await settle(() => setHandIn(handIn));
+  hands.click("exercise-hand-in");
+  expect(handIn).toHaveBeenCalledOnce();
+  await settle(() => setHandIn(null));
+  expect(hands.has("exercise-hand-in")).toBe(false);
+});
+
+it("stays with work that has no path yet, whatever it is called, and leaves with another one", async () => {
+  const unsaved = { ...fileOf(MISSION), path: "", name: "mine.krt" };
+  page.act(() => remember({ name: EXERCISE.name, path: "mine.krt" }));
+  await settle(() => useStudio.getState().openMission(unsaved));
+  expect(hands.has("exercise")).toBe(true);
+  await settle(() => useStudio.getState().openMission({ ...unsaved, name: "other.krt" }));
+  expect([hands.has("exercise"), useOpenExercise.getState().open]).toEqual([false, null]);
 });

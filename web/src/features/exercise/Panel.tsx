@@ -9,7 +9,7 @@ import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { text } from "../../model/texts";
 import { isHeldByRobots } from "../../session/confirming-run";
-import { useOpenExercise } from "../../session/open-exercise";
+import { useOpenExercise, workPlace } from "../../session/open-exercise";
 import { isShown } from "../../session/simple-view";
 import { Icon } from "../../theme";
 import { Button } from "../../ui/Button";
@@ -75,7 +75,8 @@ export function ExercisePanel() {
   const { marks, busy } = useExercise();
   const open = useOpenExercise((state) => state.open);
   const comments = useOpenExercise((state) => state.comments);
-  const path = useStudio((studio) => studio.file.path);
+  const handIn = useOpenExercise((state) => state.handIn);
+  const path = useStudio((studio) => workPlace(studio.file));
   const section = useRef<HTMLElement>(null);
   useEffect(keepExercise, []);
   const exercise = openExercise();
@@ -110,6 +111,11 @@ export function ExercisePanel() {
         ) : (
           <Button icon="square" className="small" testId="exercise-stop" onClick={stopJudging}>
             {t("exercise.stop")}
+          </Button>
+        )}
+        {handIn === null ? null : (
+          <Button icon="upload" className="small" testId="exercise-hand-in" onClick={handIn}>
+            {t("exercise.hand-in")}
           </Button>
         )}
         <Tool

@@ -1,13 +1,19 @@
 /** After a run: what is judged of itself, and when an exercise is solved. */
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
+import { api } from "../../api/client";
 import { exerciseApi } from "../../api/exercises";
 import type { Exercise, GoalVerdict } from "../../api/generated";
+import { moreWords } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
+import { CARRIER, fileOf, missionOf } from "../../model/testing/missions";
+import { useDocument } from "../../session/document";
 import { openLesson, setOpenLesson, useLessons } from "../../session/lessons";
-import { remember } from "../../session/open-exercise";
+import { remember, useOpenExercise } from "../../session/open-exercise";
 import { useRun } from "../../session/run";
-import { keepExercise, leave, useExercise } from "./exercise-session";
+import { keepExercise, leave, openLinked, useExercise } from "./exercise-session";
+
+await moreWords();
 
 const goal = (kind: "run" | "check") => ({ label: { "": kind }, kind });
 const exercise: Exercise = {
@@ -84,4 +90,30 @@ it("an exercise that was solved is open again after an edit, and stays learned",
   await vi.waitFor(() => expect(lesson()?.done).toBe(true));
   useExercise.setState({ old: true });
   expect([lesson()?.done, useLessons.getState().learned]).toEqual([false, [exercise.name]]);
+});
+
+it("opens the exercise of a link once, and leaves what is worked on as it is", async () => {
+  const opened = vi.spyOn(api, "mission").mockResolvedValue({ ...fileOf(missionOf(CARRIER)), path: exercise.start });
+  useDocument.setState({ ready: true, banner: null });
+  useStudio.getState().openMission({ ...fileOf(missionOf(CARRIER)), path: "other.krt", name: "other.krt" });
+  window.history.replaceState(null, "", `#exercise=${exercise.name}`);
+  await openLinked(exercise.name);
+  await vi.waitFor(() => expect(useStudio.getState().file.path).toBe(exercise.start));
+  expect(window.location.hash).toBe("");
+  expect(useOpenExercise.getState().open).toEqual({ name: exercise.name, path: exercise.start });
+  useStudio.getState().execute({ label: "Edit", execute: (mission) => ({ ...mission, world: "w.world.xml" }) });
+  await openLinked(exercise.name);
+  expect([opened.mock.calls.length, useStudio.getState().mission.world]).toEqual([1, "w.world.xml"]);
+});
+
+it("says of a link to no exercise that it is not here, and opens nothing", async () => {
+  const opened = vi.spyOn(api, "mission");
+  useDocument.setState({ ready: true, banner: null });
+  await openLinked("none.exercise.xml");
+  const { banner } = useDocument.getState();
+  expect([banner?.kind, banner?.message]).toEqual([
+    "error",
+    "The exercise of this link is not here: none.exercise.xml",
+  ]);
+  expect(opened).not.toHaveBeenCalled();
 });

@@ -6,17 +6,20 @@
  */
 import { create } from "zustand";
 
+import { ApiError } from "../../api/client";
 import { exerciseApi } from "../../api/exercises";
 import type { Exercise } from "../../api/generated";
+import { t } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import type { Mission } from "../../model/types";
 import { isHeldByRobots } from "../../session/confirming-run";
-import { reportError, show } from "../../session/document";
+import { reportError, show, whenReady } from "../../session/document";
 import { setOpenLesson } from "../../session/lessons";
-import { remember, setGoals, useOpenExercise } from "../../session/open-exercise";
+import { remember, setGoals, useOpenExercise, workedOn, workPlace } from "../../session/open-exercise";
 import { openMissionOfLesson } from "../../session/open-requests";
 import { isLive, useRun } from "../../session/run";
 import { endAll, listen } from "../../ui/effects";
+import { forgetHash } from "../../ui/page-hash";
 import { groundOf, type Mark, noMarks, pieces, withVerdicts } from "./marks";
 
 /** What the marks are of: nothing yet, one run, every run, or as far as judging came before it was stopped. */
@@ -76,6 +79,17 @@ export function begin(exercise: Exercise): void {
   reset();
   remember({ name: exercise.name, path: exercise.start });
   if (useStudio.getState().file.path !== exercise.start) openMissionOfLesson(exercise.start);
+}
+
+/** Opens the exercise of a link, once the page has begun; where it is open already what was done stays. */
+export async function openLinked(name: string): Promise<void> {
+  await whenReady();
+  forgetHash();
+  await lookForExercises();
+  const found = useExercise.getState().all?.find((one) => one.name === name);
+  if (found === undefined || found.goals.length === 0)
+    reportError(new ApiError(t("exercise.no-link", { name }), t("exercise.no-link-help")));
+  else if (workedOn(useStudio.getState().file) !== name) begin(found);
 }
 
 export function leave(): void {
@@ -195,10 +209,10 @@ export function keepExercise(): () => void {
     const { open } = useOpenExercise.getState();
     if (open === null) return;
     if (state.change !== before.change && state.change.kind === "open") {
-      if (state.file.path === open.path) reset();
+      if (workPlace(state.file) === open.path) reset();
       else leave();
-    } else if (state.change !== before.change && state.change.kind === "save") {
-      if (state.file.path !== open.path) remember({ ...open, path: state.file.path });
+    } else if (workPlace(state.file) !== workPlace(before.file)) {
+      remember({ ...open, path: workPlace(state.file) });
     } else if (state.mission !== before.mission) {
       if (useExercise.getState().busy !== null) stopJudging();
       set({ old: true });

@@ -3,28 +3,9 @@ import { useEffect, useRef } from "react";
 
 import { t } from "../../../i18n/words";
 import { Icon } from "../../../theme";
+import { Qr } from "./Qr";
 import { useDesk } from "./store";
 import { borrowFocus } from "../../../ui/borrow-focus";
-
-/** A QR code as one path: black on white in every theme, with its quiet zone, for cameras want it so. */
-function Qr({ rows }: { rows: readonly string[] }) {
-  const size = rows.length;
-  const path = rows
-    .flatMap((row, y) => [...row].map((one, x) => (one === "1" ? `M${String(x)} ${String(y)}h1v1h-1z` : "")))
-    .join("");
-  return (
-    <svg
-      className="class-qr rigid"
-      viewBox={`-2 -2 ${String(size + 4)} ${String(size + 4)}`}
-      role="img"
-      aria-label={t("teacher.qr")}
-      shapeRendering="crispEdges"
-    >
-      <rect x="-2" y="-2" width={size + 4} height={size + 4} fill="#fff" />
-      <path d={path} fill="#000" />
-    </svg>
-  );
-}
 
 export function codeWords(code: string): string {
   return `${code.slice(0, 3)} ${code.slice(3)}`;
@@ -36,7 +17,7 @@ export function JoinCard({ large, onLarge }: { large: boolean; onLarge?: () => v
   const address = news.address.replace(/^http:\/\//, "").replace(/\/$/, "");
   return (
     <section className="class-join surface row rigid gap-2xl" data-large={large} data-testid="class-join">
-      <Qr rows={news.qr} />
+      <Qr rows={news.qr} label={t("teacher.qr")} />
       <div className="column slim">
         <span className="class-muted muted small-text">{t("teacher.join-at")}</span>
         <code className="breakable" dir="ltr">

@@ -1,18 +1,17 @@
-/** The sheets of the teacher's page: a mission to hand out, an exercise, a new pupil, the log. */
+/** The sheets of the teacher's page: a mission to hand out, a new pupil, the log; and their names. */
 import { type FormEvent, type ReactNode, useState } from "react";
 
 import { classApi } from "../../../api/class";
 import { api } from "../../../api/client";
-import { exerciseApi } from "../../../api/exercises";
-import type { Exercise, MissionEntry } from "../../../api/generated";
+import type { MissionEntry } from "../../../api/generated";
 import { t } from "../../../i18n/words";
 import { text } from "../../../model/texts";
 import { Icon } from "../../../theme";
 import { Button } from "../../../ui/Button";
 import { Field } from "../../../ui/Field";
 import { Sheet } from "../../../ui/Sheet";
-import { useFetched } from "../../../ui/use-fetched";
-import { act, fail, look, say, useDesk } from "./store";
+import { ChooseExercise } from "./ChooseExercise";
+import { act, look, say, useDesk, useFound } from "./store";
 
 export type SheetName = "send" | "exercise" | "add" | "log";
 
@@ -20,13 +19,6 @@ interface SheetProps {
   onClose: () => void;
   /** Whom it is about; null: all. */
   folders: readonly string[] | null;
-}
-
-function useFound<T>(get: () => Promise<T>): T | null {
-  return useFetched(get, (cause) => {
-    fail(cause);
-    return null;
-  });
 }
 
 function Send({ onClose, folders }: SheetProps) {
@@ -60,58 +52,6 @@ function Send({ onClose, folders }: SheetProps) {
             </button>
           </li>
         ))}
-      </ul>
-    </Sheet>
-  );
-}
-
-function isShipped(name: string): boolean {
-  return name.startsWith("example:");
-}
-
-function ChooseExercise({ onClose }: SheetProps) {
-  const all = useFound<Exercise[]>(exerciseApi.all);
-  const now = useDesk((desk) => desk.news?.exercise ?? "");
-  const choose = (name: string) => {
-    onClose();
-    act(classApi.setExercise(name));
-  };
-  const pupils = useDesk(({ seen }) => seen);
-  const some = all?.filter(({ goals }) => goals.length > 0) ?? [];
-  // Of the folder's own the copy that pupils have is shown only while it is chosen; nothing of a pupil's folder is.
-  const own = some.filter(({ name }) => {
-    const [top = ""] = name.split("/");
-    return name === now ? !isShipped(name) : !isShipped(name) && top !== "Handed out" && !pupils.has(top);
-  });
-  const usable = [...own, ...some.filter(({ name }) => isShipped(name))];
-  return (
-    <Sheet title={t("teacher.exercise-title")} testId="sheet-exercise" onClose={onClose} wide>
-      <p className="sheet-note muted small-text">{t("teacher.exercise-help")}</p>
-      <ul>
-        {usable.map(({ name, label, icon, goals }) => (
-          <li key={name}>
-            <button
-              type="button"
-              className="open-entry row start-text gap-xl hover"
-              aria-pressed={name === now}
-              data-path={name}
-              onClick={() => choose(name)}
-            >
-              <Icon name={icon} size={18} />
-              <span className="open-title ellipsis medium">{text(label)}</span>
-              <span className="open-path ellipsis muted small-text slim" dir="auto">
-                {[t("exercise.count", { count: goals.length }), ...(isShipped(name) ? [] : [name])].join(" · ")}
-              </span>
-              {name === now ? <Icon name="check" size={16} /> : null}
-            </button>
-          </li>
-        ))}
-        <li>
-          <button type="button" className="open-entry row start-text gap-xl hover" onClick={() => choose("")}>
-            <Icon name="circle-slash-2" size={18} />
-            <span className="open-title ellipsis medium">{t("teacher.no-exercise-more")}</span>
-          </button>
-        </li>
       </ul>
     </Sheet>
   );

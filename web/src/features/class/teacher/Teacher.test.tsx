@@ -2,7 +2,7 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
 import { classApi } from "../../../api/class";
-import { api } from "../../../api/client";
+import { api, ApiError } from "../../../api/client";
 import { exerciseApi } from "../../../api/exercises";
 import type { ClassNewsMessage, Pupil } from "../../../api/generated";
 import { partsApi } from "../../../api/parts";
@@ -169,6 +169,36 @@ it("freezes one or all, and lets them go on, shown at once", async () => {
   expect([pressed("freeze"), hands.find("card-Ben").dataset["frozen"]]).toEqual(["true", "true"]);
   await press("freeze");
   expect([pressed("freeze"), hands.find("card-Ben").dataset["frozen"]]).toEqual(["false", "false"]);
+});
+
+it.each([
+  ["is copied, which is said", () => Promise.resolve(), "The link to X is copied"],
+  ["stands there where it cannot be copied", () => Promise.reject(new Error("no")), "Copy the link to X from here."],
+])("a link to an exercise %s", async (_, writeText, said) => {
+  const address = "http://class/#exercise=x&code=ABC234";
+  const write = vi.fn(writeText);
+  vi.stubGlobal("navigator", { ...navigator, clipboard: { writeText: write } });
+  vi.spyOn(exerciseApi, "all").mockResolvedValue([
+    { name: "example:x.exercise.xml", label: { "": "X" }, icon: "", goals: [{}] } as never,
+  ]);
+  const link = vi.spyOn(classApi, "link").mockResolvedValue({ address, qr: ["10", "01"] });
+  const setExercise = vi.spyOn(classApi, "setExercise");
+  await press("change-exercise");
+  const copy = document.querySelector<HTMLElement>("[data-link]");
+  expect(copy?.getAttribute("aria-label")).toBe("Copy link to X");
+  await settle(() => copy?.click());
+  expect([link.mock.calls, write.mock.calls]).toEqual([[["example:x.exercise.xml"]], [[address]]]);
+  const status = hands.find("exercise-link-said");
+  expect([status.getAttribute("role"), status.textContent]).toEqual(["status", expect.stringContaining(said)]);
+  const place = hands.find("exercise-link");
+  expect(place.textContent).toContain(said);
+  expect(place.textContent).toContain(address);
+  expect(place.querySelector("svg.class-qr")?.getAttribute("aria-label")).toBe("QR code of the link");
+  // The sheet stays, for the next one, and the class has the exercise that it had.
+  link.mockRejectedValueOnce(new ApiError("This exercise cannot be used any more.", "Mend it."));
+  await settle(() => copy?.click());
+  expect(hands.find("exercise-link").textContent).toBe("This exercise cannot be used any more. Mend it.");
+  expect(setExercise).not.toHaveBeenCalled();
 });
 
 it("hands out a mission and an exercise from its sheets, and saves all work as one file", async () => {

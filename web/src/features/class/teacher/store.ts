@@ -13,6 +13,7 @@ import type {
 } from "../../../api/generated";
 import { whyRefused } from "../../../api/refusal";
 import type { Program } from "../../../model/types";
+import { useFetched } from "../../../ui/use-fetched";
 import { type Filter, type Order, type Seen, sorted } from "./order";
 
 export interface Desk {
@@ -73,6 +74,14 @@ export function fail(cause: unknown): void {
 
 export function say(words: string, help = ""): void {
   set({ said: { words, help } });
+}
+
+/** What comes of a request, null until then; a failure is said. */
+export function useFound<T>(get: () => Promise<T>): T | null {
+  return useFetched(get, (cause) => {
+    fail(cause);
+    return null;
+  });
 }
 
 /** Does it, and says why when it could not be done. */
