@@ -25,11 +25,11 @@ function willBeFirst(): boolean {
   return pageRole === "" && hash === "" && !new URLSearchParams(search).has("open") && readStored(OVER) === null;
 }
 
-/** Draws it, unless the page begins with another one, or Python was there earlier. */
-export async function drawFirst(base: string): Promise<void> {
+/** Draws it, unless the page begins with another one, or Python was there earlier; whether it did. */
+export async function drawFirst(base: string): Promise<boolean> {
   if (!willBeFirst()) {
     rememberOver();
-    return;
+    return false;
   }
   let path: string | null = null;
   const end = useStudio.subscribe(({ change, file, dirty }, before) => {
@@ -39,9 +39,10 @@ export async function drawFirst(base: string): Promise<void> {
     end();
   });
   const response = await fetch(new URL(`first/${languageInUse()}.json`, base)).catch(() => null);
-  if (!response?.ok) return;
+  if (!response?.ok) return false;
   const file = (await response.json()) as MissionFile;
   path = file.path;
   drawAhead(file, earlyWorkOn(file)?.history);
   keepEarlyWork(rememberOver);
+  return true;
 }

@@ -22,8 +22,11 @@ import { SiteStrip } from "./SiteStrip";
 import { setSite } from "./state";
 import { WorkerLine } from "./worker-line";
 
-/** Begins it; `spoken` resolves once there are words. What is asked of the studio meanwhile waits; the page may be drawn then. */
-export function openSite(spoken: Promise<unknown>): Promise<void> {
+/**
+ * Begins it; `spoken` resolves once there are words. What is asked of the studio meanwhile waits. Resolves when the page may be
+ * drawn: with its first mission, if that comes before Python.
+ */
+export function openSite(spoken: Promise<unknown>): Promise<unknown> {
   const base = new URL(".", document.baseURI).href;
   const path = new URL(base).pathname;
   let give: (worker: Worker) => void = () => undefined;
@@ -36,24 +39,40 @@ export function openSite(spoken: Promise<unknown>): Promise<void> {
   setTransport(line);
   // A link brings a mission; in a class the teacher says which one is open.
   if (pageRole === "") install([...features(), links]);
-  alone(`kitrobot ${path}`, {
-    begin: () => {
-      setSite({ phase: "fetching" });
-      void spoken.then(() => drawFirst(base));
-      try {
-        begun(line, base, give);
-      } catch (cause) {
-        broke(base, String(cause));
-      }
-    },
-    wait: () => setSite({ phase: "other-tab" }),
-  });
   const begin = () => {
     draw();
     if (pageRole === "") openLinked();
   };
   // Without these words the page still says most.
-  return spoken.then(moreWords).then(begin, begin);
+  void spoken.then(moreWords).then(begin, begin);
+  return new Promise((resolve) => {
+    alone(`kitrobot ${path}`, {
+      begin: () => {
+        setSite({ phase: "fetching" });
+        const first = spoken.then(() => drawFirst(base)).catch(() => false);
+        resolve(first);
+        void first
+          .then((drawn) => (drawn ? untilIdle() : undefined))
+          .then(() => begun(line, base, give))
+          .catch((cause: unknown) => broke(base, String(cause)));
+      },
+      wait: () => {
+        setSite({ phase: "other-tab" });
+        resolve(false);
+      },
+    });
+  });
+}
+
+/** So long Python waits at most for a page that draws, in ms. */
+const DRAWING_MS = 3000;
+
+/** Resolves when the page has drawn: until then it needs the processor alone. */
+function untilIdle(): Promise<void> {
+  return new Promise((resolve) => {
+    if ("requestIdleCallback" in window) requestIdleCallback(() => resolve(), { timeout: DRAWING_MS });
+    else setTimeout(resolve);
+  });
 }
 
 function draw(): void {
