@@ -46,3 +46,16 @@ export async function drawFirst(base: string): Promise<boolean> {
   keepEarlyWork(rememberOver);
   return true;
 }
+
+/** So long Python waits at most for a page that draws, in ms. */
+const DRAWING_MS = 3000;
+
+/** Resolves when the page has drawn the first mission, which needs the processor alone, or at once if there is none to draw. */
+export async function untilDrawn(first: Promise<boolean>): Promise<void> {
+  if (!(await first)) return;
+  await new Promise<void>((resolve) => {
+    // Safari has no such call.
+    if ("requestIdleCallback" in window) requestIdleCallback(() => resolve(), { timeout: DRAWING_MS });
+    else setTimeout(resolve);
+  });
+}

@@ -14,7 +14,7 @@ import { moreWords } from "../i18n/words";
 import { features, install } from "../session/features";
 import { flush, setKept } from "../session/journal";
 import { alone } from "./alone";
-import { drawFirst } from "./first";
+import { drawFirst, untilDrawn } from "./first";
 import { links, openLinked } from "./links";
 import { forgetMemory } from "./memory";
 import type { FromWorker, ToWorker } from "./messages";
@@ -51,8 +51,7 @@ export function openSite(spoken: Promise<unknown>): Promise<unknown> {
         setSite({ phase: "fetching" });
         const first = spoken.then(() => drawFirst(base)).catch(() => false);
         resolve(first);
-        void first
-          .then((drawn) => (drawn ? untilIdle() : undefined))
+        void untilDrawn(first)
           .then(() => begun(line, base, give))
           .catch((cause: unknown) => broke(base, String(cause)));
       },
@@ -61,17 +60,6 @@ export function openSite(spoken: Promise<unknown>): Promise<unknown> {
         resolve(false);
       },
     });
-  });
-}
-
-/** So long Python waits at most for a page that draws, in ms. */
-const DRAWING_MS = 3000;
-
-/** Resolves when the page has drawn: until then it needs the processor alone. */
-function untilIdle(): Promise<void> {
-  return new Promise((resolve) => {
-    if ("requestIdleCallback" in window) requestIdleCallback(() => resolve(), { timeout: DRAWING_MS });
-    else setTimeout(resolve);
   });
 }
 
