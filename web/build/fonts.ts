@@ -9,6 +9,7 @@ import type { Plugin } from "vite";
 
 const FOLDER = fileURLToPath(new URL("../src/theme/fonts/", import.meta.url));
 const PACKAGE = /@fontsource-variable[\\/][\w-]+[\\/]wght\.css$/;
+const SMALL = /-latin-wght-normal-[\w-]+\.woff2$/;
 const LATIN = /\.\/files\/([\w-]+-latin-wght-normal\.woff2)/g;
 
 export function smallFonts(): Plugin {
@@ -25,6 +26,18 @@ export function smallFonts(): Plugin {
       });
       if (found !== 1) throw new Error(`expected one file of Latin letters in ${id}, found ${String(found)}`);
       return changed;
+    },
+    // Fetched beside the script: the first picture has its letters, and is not laid out again for them.
+    transformIndexHtml: {
+      order: "post",
+      handler: (_, { bundle = {} }) =>
+        Object.keys(bundle)
+          .filter((name) => SMALL.test(name))
+          .map((name) => ({
+            tag: "link",
+            injectTo: "head",
+            attrs: { rel: "preload", as: "font", type: "font/woff2", crossorigin: true, href: `./${name}` },
+          })),
     },
   };
 }

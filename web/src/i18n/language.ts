@@ -27,6 +27,15 @@ const preparations: Preparation[] = [];
 /** So long a language waits for what else has its words, in ms: a server that is slow does not hold up the page. */
 const WAIT_MS = 1000;
 
+/** What `work` gives, or null once it is late. */
+async function orLate<T>(work: Promise<T>): Promise<T | null> {
+  let timer = 0;
+  const late = new Promise<null>((end) => {
+    timer = window.setTimeout(end, WAIT_MS, null);
+  });
+  return Promise.race([work, late]).finally(() => window.clearTimeout(timer));
+}
+
 /** Before the page speaks another language that is fetched, so that it never speaks two. */
 export function prepareLanguage(preparation: Preparation): void {
   preparations.push(preparation);
@@ -41,8 +50,7 @@ export const useLanguage = create<LanguageState>((set) => ({
   language: languageInUse(),
   choose: async (wanted) => {
     const prepared = Promise.all(preparations.map((prepare) => prepare(wanted)));
-    const late = new Promise<null>((end) => setTimeout(end, WAIT_MS, null));
-    const there = await Promise.race([prepared, late]);
+    const there = await orLate(prepared);
     const language = await speak(wanted);
     if (language === wanted) {
       try {

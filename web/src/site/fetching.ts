@@ -79,6 +79,11 @@ export class Fetching {
     };
   }
 
+  /** Gives the files back: Python has what it needs of them. */
+  end(): void {
+    this.#files.clear();
+  }
+
   /** All bytes of a file, unpacked. */
   async bytes(name: string): Promise<Bytes> {
     return (await this.#files.get(name)?.made) as Bytes;

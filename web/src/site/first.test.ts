@@ -4,7 +4,7 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { useStudio } from "../model/studio";
 import type { MissionFile } from "../model/types";
 import { useDocument } from "../session/document";
-import { drawFirst } from "./first";
+import { drawFirst, untilDrawn } from "./first";
 
 const BASE = "http://localhost/school/";
 
@@ -37,7 +37,7 @@ afterEach(() => {
 const isDrawn = () => useDocument.getState().ahead;
 
 test("is drawn in a browser in which nothing was done yet, also when the page is loaded again", async () => {
-  await drawFirst(BASE);
+  expect(await drawFirst(BASE)).toBe(true);
   expect(asked).toHaveBeenCalledWith(new URL("http://localhost/school/first/en.json"));
   expect(isDrawn()).toBe(true);
   expect(useStudio.getState().file.path).toBe("example:a.krt");
@@ -97,6 +97,21 @@ test("is not drawn over what is open already", async () => {
 
 test("a site without it waits for Python", async () => {
   asked.mockResolvedValueOnce(new Response(null, { status: 404 }));
-  await drawFirst(BASE);
+  expect(await drawFirst(BASE)).toBe(false);
   expect(isDrawn()).toBe(false);
+});
+
+test("what waits for it begins when the page has nothing more to draw, and at once where it is not drawn", async () => {
+  const idle: (() => void)[] = [];
+  vi.stubGlobal("requestIdleCallback", (call: () => void) => idle.push(call));
+  const begin = vi.fn();
+  const begun = untilDrawn(drawFirst(BASE)).then(begin);
+  await vi.waitFor(() => expect(idle).toHaveLength(1));
+  expect(begin).not.toHaveBeenCalled();
+  idle[0]?.();
+  await begun;
+  expect(begin).toHaveBeenCalledOnce();
+  asked.mockResolvedValueOnce(new Response(null, { status: 404 }));
+  await untilDrawn(drawFirst(BASE));
+  expect(idle).toHaveLength(1);
 });

@@ -25,11 +25,11 @@ function willBeFirst(): boolean {
   return pageRole === "" && hash === "" && !new URLSearchParams(search).has("open") && readStored(OVER) === null;
 }
 
-/** Draws it, unless the page begins with another one, or Python was there earlier. */
-export async function drawFirst(base: string): Promise<void> {
+/** Draws it, unless the page begins with another one, or Python was there earlier; whether it did. */
+export async function drawFirst(base: string): Promise<boolean> {
   if (!willBeFirst()) {
     rememberOver();
-    return;
+    return false;
   }
   let path: string | null = null;
   const end = useStudio.subscribe(({ change, file, dirty }, before) => {
@@ -39,9 +39,23 @@ export async function drawFirst(base: string): Promise<void> {
     end();
   });
   const response = await fetch(new URL(`first/${languageInUse()}.json`, base)).catch(() => null);
-  if (!response?.ok) return;
+  if (!response?.ok) return false;
   const file = (await response.json()) as MissionFile;
   path = file.path;
   drawAhead(file, earlyWorkOn(file)?.history);
   keepEarlyWork(rememberOver);
+  return true;
+}
+
+/** So long Python waits at most for a page that draws, in ms. */
+const DRAWING_MS = 3000;
+
+/** Resolves when the page has drawn the first mission, which needs the processor alone, or at once if there is none to draw. */
+export async function untilDrawn(first: Promise<boolean>): Promise<void> {
+  if (!(await first)) return;
+  await new Promise<void>((resolve) => {
+    // Safari has no such call.
+    if ("requestIdleCallback" in window) requestIdleCallback(() => resolve(), { timeout: DRAWING_MS });
+    else setTimeout(resolve);
+  });
 }

@@ -14,7 +14,7 @@ import { moreWords } from "../i18n/words";
 import { features, install } from "../session/features";
 import { flush, setKept } from "../session/journal";
 import { alone } from "./alone";
-import { drawFirst } from "./first";
+import { drawFirst, untilDrawn } from "./first";
 import { links, openLinked } from "./links";
 import { forgetMemory } from "./memory";
 import type { FromWorker, ToWorker } from "./messages";
@@ -22,8 +22,11 @@ import { SiteStrip } from "./SiteStrip";
 import { setSite } from "./state";
 import { WorkerLine } from "./worker-line";
 
-/** Begins it; `spoken` resolves once there are words. What is asked of the studio meanwhile waits; the page may be drawn then. */
-export function openSite(spoken: Promise<unknown>): Promise<void> {
+/**
+ * Begins it; `spoken` resolves once there are words. What is asked of the studio meanwhile waits. Resolves when the page may be
+ * drawn: with its first mission, if that comes before Python.
+ */
+export function openSite(spoken: Promise<unknown>): Promise<unknown> {
   const base = new URL(".", document.baseURI).href;
   const path = new URL(base).pathname;
   let give: (worker: Worker) => void = () => undefined;
@@ -36,24 +39,28 @@ export function openSite(spoken: Promise<unknown>): Promise<void> {
   setTransport(line);
   // A link brings a mission; in a class the teacher says which one is open.
   if (pageRole === "") install([...features(), links]);
-  alone(`kitrobot ${path}`, {
-    begin: () => {
-      setSite({ phase: "fetching" });
-      void spoken.then(() => drawFirst(base));
-      try {
-        begun(line, base, give);
-      } catch (cause) {
-        broke(base, String(cause));
-      }
-    },
-    wait: () => setSite({ phase: "other-tab" }),
-  });
   const begin = () => {
     draw();
     if (pageRole === "") openLinked();
   };
   // Without these words the page still says most.
-  return spoken.then(moreWords).then(begin, begin);
+  void spoken.then(moreWords).then(begin, begin);
+  return new Promise((resolve) => {
+    alone(`kitrobot ${path}`, {
+      begin: () => {
+        setSite({ phase: "fetching" });
+        const first = spoken.then(() => drawFirst(base)).catch(() => false);
+        resolve(first);
+        void untilDrawn(first)
+          .then(() => begun(line, base, give))
+          .catch((cause: unknown) => broke(base, String(cause)));
+      },
+      wait: () => {
+        setSite({ phase: "other-tab" });
+        resolve(false);
+      },
+    });
+  });
 }
 
 function draw(): void {

@@ -69,7 +69,9 @@ async function load({ base, parts, unpacker, pupil }: Beginning): Promise<Studio
       const { begin_here } = started.pyodide.pyimport(MODULES) as {
         begin_here: (folder: string, inClass: boolean) => Promise<Studio>;
       };
-      return await begin_here(`${home}/missions`, pupil !== "");
+      const begun = await begin_here(`${home}/missions`, pupil !== "");
+      fetching.end();
+      return begun;
     } catch (cause) {
       throw fetching.missing ?? cause;
     }
