@@ -702,6 +702,20 @@ export interface Judgement {
   tick: number | null;
 }
 
+/**
+ * A run of the simulator that keeps a property, the same as the one that breaks it up to step `tick`, at `seconds`: the
+ * agent `delayed` waits `delay_s` there, or failures are missing ("").
+ */
+export interface KeptRun {
+  seed: number;
+  tick: number;
+  seconds: number;
+  failures: ConfirmingFailure[];
+  delayed: string;
+  delay_s: number;
+  ends_well: boolean;
+}
+
 /** What a method gives: an instruction, true or false, or a number. */
 export type Kind = "procedure" | "test" | "value";
 
@@ -1801,7 +1815,7 @@ export interface Why {
   other: OtherWay | null;
   tick: number;
   seconds: number;
-  without_failures: ConfirmingRun | null;
+  kept: KeptRun | null;
 }
 
 /** Units of work, and the seconds after which an unfinished one is free again. */
