@@ -1294,6 +1294,15 @@ export interface RunPreview {
   marks: number[][];
 }
 
+/**
+ * The run between two steps: `run` in frames that are `frame_s` apart, and what happens in it. `ending` says why the
+ * run ended in it; "" where it goes on behind it.
+ */
+export type RunStretch = { run: RunPreview; frame_s: number; events: StretchEvent[]; ending: string };
+
+/** Record the run of a mission with that seed between two steps, `first` before `last`. */
+export type RunStretchAsk = { mission: Mission; path: string; seed: number; first: number; last: number };
+
 /** A mission to be written; `revision` is the one that the page last read or wrote, "" for a new file. */
 export type Save = { path: string; revision: string; mission: Mission };
 
@@ -1472,6 +1481,9 @@ export interface Storehouse {
   capacity: number;
   stock: number;
 }
+
+/** What happens in a stretch, and how many seconds after its beginning. */
+export type StretchEvent = { seconds: number; text: string };
 
 /** A study so far; row number n is point n // `seeds`. */
 export interface Study {

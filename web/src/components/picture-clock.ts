@@ -28,6 +28,11 @@ export function keepDrawing(draw: Draw): () => void {
   };
 }
 
+/** Whether the person at this page wants less motion. */
+export function wantsLessMotion(): boolean {
+  return matchMedia("(prefers-reduced-motion: reduce)").matches;
+}
+
 /** How many pictures move now. */
 export function movingPictures(): number {
   return drawn.size;
