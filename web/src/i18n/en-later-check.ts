@@ -132,7 +132,7 @@ export const CHECK_EN = {
   "check.both-coming": "Both ways are being prepared…",
   "check.both-same": "Up to here both are the same.",
   "check.way-broken-at": "It breaks at {time}",
-  "check.kept-waits": "{agent} waits {seconds} s at {time}.",
+  "check.kept-waits": "`{agent}` waits {seconds} s at {time}.",
   "check.kept-failures": { one: "The failure is missing here.", other: "{count} failures are missing here." },
   "check.kept-model": "The simulator shows no run that goes this way: these are states of the model.",
   "check.both-in-time": "Both runs of the simulator, in step",
