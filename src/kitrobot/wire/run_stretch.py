@@ -9,7 +9,8 @@ from pydantic import BaseModel, Field
 from kitrobot.sim.event_text import Event
 from kitrobot.wire.gallery import RunPreviewShape, run_preview_shape
 from kitrobot.wire.mission import MissionShape
-from kitrobot.wire.sentences import Spoken
+from kitrobot.wire.run import EventKind
+from kitrobot.wire.sentences import Clause, Spoken
 from kitrobot.wire.values import Row
 from kitrobot.workspace.mission_loader import OpenMission
 from kitrobot.workspace.previews import Preview
@@ -29,10 +30,12 @@ class RunStretchAskShape(BaseModel):
 
 
 class StretchEventShape(Row):
-    """What happens in a stretch, and how many seconds after its beginning."""
+    """What an agent does or what becomes of it in a stretch, and how many seconds after its beginning."""
 
     seconds: float
-    text: Spoken
+    kind: EventKind
+    agent: str
+    text: Clause
 
 
 class RunStretchShape(BaseModel):
@@ -54,6 +57,16 @@ def run_stretch_shape(
     return RunStretchShape(
         run=run_preview_shape(opened, preview),
         frame_s=frame_s,
-        events=[StretchEventShape(seconds=(event.tick - first) * tick_s, text=event.text) for event in events],
+        events=[
+            StretchEventShape.model_validate(
+                {
+                    "seconds": (event.tick - first) * tick_s,
+                    "kind": event.kind,
+                    "agent": event.agent,
+                    "text": event.text,
+                }
+            )
+            for event in events
+        ],
         ending=ending,
     )

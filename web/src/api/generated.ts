@@ -1482,8 +1482,13 @@ export interface Storehouse {
   stock: number;
 }
 
-/** What happens in a stretch, and how many seconds after its beginning. */
-export type StretchEvent = { seconds: number; text: string };
+/** What an agent does or what becomes of it in a stretch, and how many seconds after its beginning. */
+export interface StretchEvent {
+  seconds: number;
+  kind: "load" | "unload" | "message" | "collision" | "failure" | "revival" | "member" | "end" | "outside";
+  agent: string;
+  text: string;
+}
 
 /** A study so far; row number n is point n // `seeds`. */
 export interface Study {

@@ -131,6 +131,7 @@ export const CHECK_EN = {
   "check.both-title": "How it broke, and another way",
   "check.both-coming": "Both ways are being prepared…",
   "check.both-same": "Up to here both are the same.",
+  "check.way-event": "`{agent}` {text}.",
   "check.way-broken-at": "It breaks at {time}",
   "check.kept-waits": "`{agent}` waits {seconds} s at {time}.",
   "check.kept-failures": { one: "The failure is missing here.", other: "{count} failures are missing here." },

@@ -62,8 +62,8 @@ export function useSteps({ length, unit, rate, again = null }: Length): Steps {
     setPlays(false);
     setPlace(Math.min(Math.max(to, 0), length));
   };
-  // Who wants less motion sees moments that are a second apart.
-  const grain = plays && wantsLessMotion() ? Math.max(unit, rate) : 0;
+  // Who wants less motion sees moments that are a second apart, or a step.
+  const grain = plays && wantsLessMotion() ? Math.max(unit, 1) : 0;
   return {
     ...{ length, unit, rate, again, plays, speed, setSpeed, go },
     at: grain === 0 || place >= length ? place : Math.floor(place / grain + NEAR) * grain,

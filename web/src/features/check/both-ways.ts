@@ -1,6 +1,7 @@
 /** What of two ways is shown side by side: the runs of the simulator from just before they part, or states of the model. */
-import type { CheckedProperty, ConfirmingRun, RunStretch } from "../../api/generated";
+import type { CheckedProperty, ConfirmingRun, RunStretch, StretchEvent } from "../../api/generated";
 import { stretchApi } from "../../api/run-stretch";
+import { t } from "../../i18n/words";
 import type { Mission } from "../../model/types";
 import { withFailures } from "../../session/confirming-run";
 
@@ -56,7 +57,7 @@ export async function recordWays(
     record(confirmed, span?.brokenLast ?? null),
     record(why?.kept, span?.keptLast ?? null),
   ]);
-  return { broken, kept };
+  return { broken, kept: kept && withoutWait(kept, why?.kept?.delayed ?? "") };
 }
 
 /** The frame of a stretch that many seconds after its beginning; the last one behind its end. */
@@ -64,9 +65,15 @@ export function frameAt({ run, frame_s: apart }: RunStretch, seconds: number): n
   return Math.min(Math.max(0, seconds / apart), Math.max(0, run.frames - 1));
 }
 
-/** What happened last in a stretch, and at its end why the run ended; "" before anything did. */
-export function lastEvent(stretch: RunStretch, seconds: number): string {
-  const { run, frame_s: apart, events, ending } = stretch;
+/** What is said of what happened last in a stretch, and at its end why the run ended; "" before anything did. */
+export function lastEvent({ run, frame_s: apart, events, ending }: RunStretch, seconds: number): string {
   if (ending !== "" && seconds >= (run.frames - 1) * apart) return ending;
-  return events.findLast((event) => event.seconds <= seconds)?.text ?? "";
+  const found = events.findLast((event) => event.seconds <= seconds && event.kind !== "message");
+  return found === undefined ? "" : t("check.way-event", { agent: found.agent, text: found.text });
+}
+
+/** A stretch without that an agent waits in it: that is said of the whole of it. */
+function withoutWait(stretch: RunStretch, agent: string): RunStretch {
+  const waits = ({ kind, agent: who }: StretchEvent) => who === agent && (kind === "failure" || kind === "revival");
+  return { ...stretch, events: stretch.events.filter((event) => !waits(event)) };
 }
