@@ -130,6 +130,8 @@ export const CHECK_EN = {
   "check.play-waits": "Play it with the wait",
   "check.both-title": "How it broke, and another way",
   "check.both-coming": "Both ways are being prepared…",
+  "check.both-part": "From here on they are different.",
+  "check.kept-still": "It is still not broken.",
   "check.both-same": "Up to here both are the same.",
   "check.way-event": "`{agent}` {text}.",
   "check.way-broken-at": "It breaks at {time}",

@@ -8,8 +8,8 @@ little earlier. Each such run is judged like the one that breaks the property (`
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
-from itertools import islice
+from dataclasses import dataclass, replace
+from itertools import product
 from typing import Any
 
 from kitrobot.mission.trial import FailureKind
@@ -17,8 +17,8 @@ from kitrobot.sim.simulation import Simulation
 from kitrobot.verifier.properties.properties import Property
 from kitrobot.verifier.report.replay import ConfirmedRun, InjectedFault, judge_run
 
-_DELAYS_MS = (500, 2_000, 8_000, 32_000)
-"""How long a robot waits."""
+_DELAYS_MS = (32_000, 500, 2_000, 8_000)
+"""How long a robot waits: the longest first, which shows whether waiting changes anything."""
 _EARLIER_MS = (0, 160, 640, 2_560, 10_240)
 """How long before the moment it begins to."""
 _MOST_AGENTS = 2
@@ -68,23 +68,37 @@ def find_kept_run(
         stop: polled now and then; True stops the search.
     """
     kept: KeptRun | None = None
-    tries = (*_fewer_failures(confirmed), *_delays(confirmed, moment, agents, fresh(confirmed.seed).tick_ms))
-    for candidate in islice(tries, _MOST_RUNS):
-        if stop():
-            break
-        run = fresh(confirmed.seed)
-        if judge_run(one, run, candidate.faults, stop).is_broken is not False:
-            continue
-        ends_well = run.outcome == "done"
-        if kept is None or ends_well:
-            kept = KeptRun(*_values(candidate), ends_well)
-        if ends_well or run.outcome is None or not candidate.delayed:
-            break
+    left = _MOST_RUNS
+    waits = _waits(confirmed, moment, agents[:_MOST_AGENTS], fresh(confirmed.seed).tick_ms)
+    for group in (*([each] for each in _fewer_failures(confirmed)), *waits):
+        is_settled = False
+        for number, candidate in enumerate(group):
+            if left == 0 or stop():
+                return kept
+            left -= 1
+            run = fresh(confirmed.seed)
+            judged = judge_run(one, run, candidate.faults, stop)
+            if judged.is_broken is False:
+                candidate = replace(candidate, ends_well=run.outcome == "done")
+                kept = _better(kept, candidate)
+                # Where it was kept before the run ended nobody knows how it ends.
+                is_settled = candidate.ends_well or run.outcome is None or not candidate.delayed
+                if is_settled and number > 0:
+                    return kept
+            elif number == 0 and judged.tick == confirmed.tick:
+                # Not even the longest wait changes anything, as where an arm swings on.
+                break
+        if is_settled or (kept is not None and kept.ends_well):
+            return kept
     return kept
 
 
-def _values(run: KeptRun) -> tuple[int, tuple[InjectedFault, ...], int, str, int]:
-    return run.seed, run.faults, run.tick, run.delayed, run.delay
+def _better(kept: KeptRun | None, other: KeptRun) -> KeptRun:
+    """Of two the one that ends well, then the one that parts later, then the one that waits less."""
+    if kept is None or other.ends_well > kept.ends_well:
+        return other
+    is_shorter = (other.tick, other.delayed) == (kept.tick, kept.delayed) and other.delay < kept.delay
+    return other if is_shorter and other.ends_well == kept.ends_well else kept
 
 
 def _fewer_failures(confirmed: ConfirmedRun) -> Iterator[KeptRun]:
@@ -93,15 +107,16 @@ def _fewer_failures(confirmed: ConfirmedRun) -> Iterator[KeptRun]:
         yield KeptRun(confirmed.seed, confirmed.faults[:kept], confirmed.faults[kept].tick)
 
 
-def _delays(confirmed: ConfirmedRun, moment: int, agents: Sequence[str], tick_ms: int) -> Iterator[KeptRun]:
-    """The run in which an agent waits, at the moment first, then ever earlier."""
+def _waits(confirmed: ConfirmedRun, moment: int, agents: Sequence[str], tick_ms: int) -> Iterator[list[KeptRun]]:
+    """The runs in which an agent waits, at the moment first, then ever earlier; of each the longest first."""
     moments = dict.fromkeys(max(0, moment - earlier // tick_ms) for earlier in _EARLIER_MS)
-    for tick in moments:
-        for agent in agents[:_MOST_AGENTS]:
-            for delay in (max(1, length // tick_ms) for length in _DELAYS_MS):
-                wait = (
-                    InjectedFault(tick, agent, FailureKind.STALL),
-                    InjectedFault(tick + delay, agent, FailureKind.REVIVE),
-                )
-                faults = sorted((*confirmed.faults, *wait), key=lambda fault: fault.tick)
-                yield KeptRun(confirmed.seed, tuple(faults), tick, agent, delay)
+    for tick, agent in product(moments, agents):
+        group = []
+        for delay in (max(1, length // tick_ms) for length in _DELAYS_MS):
+            wait = (
+                InjectedFault(tick, agent, FailureKind.STALL),
+                InjectedFault(tick + delay, agent, FailureKind.REVIVE),
+            )
+            faults = sorted((*confirmed.faults, *wait), key=lambda fault: fault.tick)
+            group.append(KeptRun(confirmed.seed, tuple(faults), tick, agent, delay))
+        yield group

@@ -119,7 +119,7 @@ function Ways({ answer, other, asked: { mission }, world, span, recorded: { brok
   const share = length > parting ? Math.max(0, at - parting) / (length - parting) : 0;
   const step = moments[time === null ? Math.floor(at) : Math.floor(share * last + 1e-6)] ?? decided;
   const isBroken = at >= breaks;
-  const shared = { mission, world, step, at, isApart: at >= parting, box };
+  const shared = { mission, world, step, at, parting, box };
   const play = useRef<HTMLButtonElement>(null);
   useEffect(() => borrowFocus(play.current), []);
   const words =
@@ -148,6 +148,7 @@ function Ways({ answer, other, asked: { mission }, world, span, recorded: { brok
           stretch={kept}
           title={(kept === null ? other.ends_well : answer.why?.kept?.ends_well) ? t("check.way-well") : t("check.way-kept")}
           note={noteOf(answer, broken, kept)}
+          ending={at >= breaks ? t("check.kept-still") : ""}
         />
       </div>
       <StepBar
@@ -181,28 +182,30 @@ interface WayProps {
   title: string;
   /** What is other in it. */
   note?: string;
-  /** What is said at its end. */
-  ending?: string;
+  /** What is said once the property has broken: of the one that breaks it always, else where nothing happens. */
+  ending: string;
   mission: Mission;
   world: World;
   step: number;
   at: number;
-  /** Whether it has parted from the other one. */
-  isApart: boolean;
+  /** Where it parts from the other one. */
+  parting: number;
   box: Parameters<typeof useRunCanvas>[0]["box"];
 }
 
-function Way({ name, run, stretch, title, note = "", ending = "", mission, world, step, at, isApart, box }: WayProps) {
+function Way({ name, run, stretch, title, note = "", ending, mission, world, step, at, parting, box }: WayProps) {
   const scene = sceneAt(run, step);
   if (stretch === null && scene === null) return null;
-  const said = !isApart ? t("check.both-same") : ending || (stretch === null ? "" : lastEvent(stretch, at));
+  const isOver = name === "broken" && ending !== "";
+  const happened = stretch === null || isOver ? "" : lastEvent(stretch, parting, at);
+  const said = at < parting ? t("check.both-same") : happened || ending || t("check.both-part");
   return (
     <figure
       className="check-way column gap-xs"
       data-testid={`check-way-${name}`}
       data-step={scene?.step}
       data-frame={stretch === null ? undefined : Math.floor(frameAt(stretch, at))}
-      data-ended={ending !== ""}
+      data-ended={isOver}
     >
       <figcaption className="row wrap gap-xs">
         <Icon name={name === "kept" ? "circle-check" : "circle-x"} size={16} />

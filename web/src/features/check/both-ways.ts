@@ -65,10 +65,11 @@ export function frameAt({ run, frame_s: apart }: RunStretch, seconds: number): n
   return Math.min(Math.max(0, seconds / apart), Math.max(0, run.frames - 1));
 }
 
-/** What is said of what happened last in a stretch, and at its end why the run ended; "" before anything did. */
-export function lastEvent({ run, frame_s: apart, events, ending }: RunStretch, seconds: number): string {
+/** What is said of what happened last since a moment, and at its end why the run ended; "" before anything did. */
+export function lastEvent({ run, frame_s: apart, events, ending }: RunStretch, since: number, seconds: number): string {
   if (ending !== "" && seconds >= (run.frames - 1) * apart) return ending;
-  const found = events.findLast((event) => event.seconds <= seconds && event.kind !== "message");
+  const past = events.filter((event) => event.seconds >= since && event.seconds <= seconds);
+  const found = past.findLast(({ kind }) => kind !== "message");
   return found === undefined ? "" : t("check.way-event", { agent: found.agent, text: found.text });
 }
 
