@@ -136,7 +136,7 @@ def place_explanation(
     fresh: Callable[[int], Simulation],
     stop: Callable[[], bool],
 ) -> RunExplanation:
-    """An explanation with its moment in the run of the simulator that confirms it, and a run that keeps the property."""
+    """An explanation with its moment in the run of the simulator that confirms it, and a run that keeps it."""
     run, step = found.run, found.avoidance.step
     if not 0 <= step < len(run.steps):
         return explanation

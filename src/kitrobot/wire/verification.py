@@ -206,8 +206,9 @@ def _why_shape(why: RunExplanation, tick_ms: int) -> WhyShape:
         other=None if why.other is None else OtherWayShape.model_validate(why.other, from_attributes=True),
         tick=why.tick,
         seconds=max(0, why.tick) * tick_ms / 1000,
-        kept=kept
-        and KeptRunShape(
+        kept=None
+        if kept is None
+        else KeptRunShape(
             **dict(confirming_run_shape(kept, tick_ms)),
             delayed=kept.delayed,
             delay_s=kept.delay * tick_ms / 1000,
