@@ -14,7 +14,7 @@ import { mount, type Mounted, settle } from "../../testing/hooks";
 import { spanOf } from "./both-ways";
 import { BrokenRun } from "./BrokenRun";
 import { begin, useCheck } from "./check-session";
-import { answered, BROKEN, CONFIRMED, KEPT, scene, WHY, WORLD } from "./testing/broken-property";
+import { answeredWith, BROKEN, CONFIRMED, KEPT, scene, WHY, WORLD } from "./testing/broken-property";
 
 const recorded = vi.spyOn(stretchApi, "record");
 let page: Mounted;
@@ -44,7 +44,7 @@ function stretch({ first, last, mission }: WantedStretch): RunStretch {
 }
 
 async function open(answer: CheckedProperty, mission = missionOf(growProgram(1, 3, true))): Promise<void> {
-  answered(answer, mission);
+  useCheck.setState(answeredWith(answer, mission));
   useStudio.setState({ mission });
   page = mount(createElement(BrokenRun, { cell: { row: 0, column: 0 } }));
   find("check-other").focus();
@@ -232,7 +232,7 @@ test("a refusal is said, and the states of the model are shown instead", async (
 test("the span: without a known moment it begins some seconds before the break, and never before the first step", () => {
   const why = { ...WHY, tick: -1 };
   expect(spanOf({ confirmed: { ...CONFIRMED, tick: 600, seconds: 12 }, why })).toEqual({
-    ...{ first: 150, parts: 200, brokenLast: 600, keptLast: null, tickS: 0.02 },
+    ...{ first: 200, parts: 200, brokenLast: 600, keptLast: null, tickS: 0.02 },
   });
   expect(spanOf({ confirmed: { ...CONFIRMED, tick: 0, seconds: 0 }, why })).toEqual({
     ...{ first: 0, parts: 0, brokenLast: 1, keptLast: null, tickS: 0.02 },

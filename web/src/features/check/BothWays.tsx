@@ -105,9 +105,7 @@ function Ways({ answer, other, asked: { mission }, world, span, recorded: { brok
   const last = moments.length - 1;
   const time = broken === null ? null : span;
   const length = time === null ? last : ((time.keptLast ?? time.brokenLast) - time.first) * time.tickS;
-  const steps = useSteps(
-    time === null ? { length, unit: 1, rate: STEPS_A_SECOND } : { length, unit: STEP_S, rate: 1 },
-  );
+  const steps = useSteps(time === null ? { length, unit: 1, rate: STEPS_A_SECOND } : { length, unit: STEP_S, rate: 1 });
   const { at } = steps;
   const parting = time === null ? 0 : (time.parts - time.first) * time.tickS;
   const breaks = time === null ? last : (time.brokenLast - time.first) * time.tickS;
@@ -146,7 +144,9 @@ function Ways({ answer, other, asked: { mission }, world, span, recorded: { brok
           name="kept"
           run={keptRun}
           stretch={kept}
-          title={(kept === null ? other.ends_well : answer.why?.kept?.ends_well) ? t("check.way-well") : t("check.way-kept")}
+          title={
+            (kept === null ? other.ends_well : answer.why?.kept?.ends_well) ? t("check.way-well") : t("check.way-kept")
+          }
           note={noteOf(answer, broken, kept)}
           ending={at >= breaks ? t("check.kept-still") : ""}
         />
@@ -198,7 +198,7 @@ function Way({ name, run, stretch, title, note = "", ending, mission, world, ste
   if (stretch === null && scene === null) return null;
   const isOver = name === "broken" && ending !== "";
   const happened = stretch === null || isOver ? "" : lastEvent(stretch, parting, at);
-  const said = at < parting ? t("check.both-same") : happened || ending || t("check.both-part");
+  const said = at < parting ? t("check.both-same") : happened || ending || (parting > 0 ? t("check.both-part") : "");
   return (
     <figure
       className="check-way column gap-xs"

@@ -10,7 +10,7 @@ import { drawnWorld } from "../../model/world/drawing";
 import { useRun } from "../../session/run";
 import { BrokenRun } from "./BrokenRun";
 import { useCheck } from "./check-session";
-import { answered, BROKEN, CONFIRMED, WHY, WORLD } from "./testing/broken-property";
+import { answeredWith, BROKEN, CONFIRMED, WHY, WORLD } from "./testing/broken-property";
 
 (globalThis as { IS_REACT_ACT_ENVIRONMENT?: boolean }).IS_REACT_ACT_ENVIRONMENT = true;
 const place = document.createElement("div");
@@ -18,7 +18,7 @@ let root: Root;
 
 async function shown(answer: CheckedProperty): Promise<void> {
   await moreWords();
-  answered(answer);
+  useCheck.setState(answeredWith(answer));
   act(() => root.render(<BrokenRun cell={{ row: 0, column: 0 }} />));
 }
 

@@ -71,9 +71,7 @@ export function BrokenRun({ cell }: { cell: Cell }) {
       <Seen answer={answer} />
       <WhyBroken answer={answer} onOther={() => setShowsOther(true)} />
       {other === null ? null : <BothWays answer={answer} other={other} asked={asked} onClose={close} />}
-      {answer.confirmed === null ? (
-        <StepArena run={answer} mission={mission} decided={answer.why?.step ?? -1} />
-      ) : null}
+      {answer.confirmed === null ? <StepArena run={answer} mission={mission} decided={answer.why?.step ?? -1} /> : null}
       {answer.places.length === 0 ? null : (
         <p className="check-play row lesson-head">
           <Button

@@ -28,12 +28,12 @@ export function spanOf({ confirmed, why }: Pick<CheckedProperty, "confirmed" | "
   const tickS = confirmed.tick > 0 ? confirmed.seconds / confirmed.tick : USUAL_TICK_S;
   const ticks = (seconds: number) => Math.round(seconds / tickS);
   const { kept } = why;
-  const moment = why.tick >= 0 ? why.tick : Math.max(0, confirmed.tick - ticks(UNKNOWN_S));
-  const parts = Math.min(kept?.tick ?? moment, confirmed.tick);
+  const known = kept?.tick ?? why.tick;
+  const parts = known >= 0 ? Math.min(known, confirmed.tick) : Math.max(0, confirmed.tick - ticks(UNKNOWN_S));
   const brokenLast = Math.max(confirmed.tick, 1);
   return {
     ...{ parts, brokenLast, tickS },
-    first: Math.max(0, Math.min(parts, brokenLast - 1) - ticks(BEFORE_S)),
+    first: Math.max(0, Math.min(parts, brokenLast - 1) - (known >= 0 ? ticks(BEFORE_S) : 0)),
     keptLast: kept === null ? null : brokenLast + ticks(kept.delay_s + AFTER_S),
   };
 }

@@ -2,7 +2,6 @@
 import type { CheckedProperty, KeptRun, Scene, VerifyColumnMessage, Why } from "../../../api/generated";
 import { growProgram, missionOf } from "../../../model/testing/missions";
 import type { OwnWorld } from "../../../model/types";
-import { useCheck } from "../check-session";
 import { plan } from "../table";
 
 export const scene = (step: number): Scene => ({ step, robots: [{ x_mm: step, y_mm: 0, heading_rad: 0, at: [] }] });
@@ -76,12 +75,10 @@ const columnOf = (answer: CheckedProperty): VerifyColumnMessage => ({
   properties: [answer],
 });
 
-/** The answer of a check of a mission. */
-export function answered(answer: CheckedProperty, mission = missionOf(growProgram(1, 3, true))): void {
-  useCheck.setState({
-    asked: { mission, path: "", seed: 1, failures: 0, seconds: 60 },
-    plan: plan(0),
-    columns: [columnOf(answer)],
-    open: { row: 0, column: 0 },
-  });
-}
+/** The state of a check of a mission with that answer, whose run is open. */
+export const answeredWith = (answer: CheckedProperty, mission = missionOf(growProgram(1, 3, true))) => ({
+  asked: { mission, path: "", seed: 1, failures: 0, seconds: 60 },
+  plan: plan(0),
+  columns: [columnOf(answer)],
+  open: { row: 0, column: 0 },
+});
