@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 
 from kitrobot.cli.verify import odds_words, progress_words
+from tests.verifier.check_fixtures import mutant
+from tests.verifier.test_known_answers import UNCOUNTED
 
 ROOT = Path(__file__).parents[2]
 SMALL = ROOT / "examples" / "passing-loop" / "passing-loop.krt"
@@ -47,6 +49,16 @@ def test_what_is_broken_is_told_as_a_run_and_confirmed(kitrobot, tmp_path: Path)
     assert broken["confirmed"]["seed"] == 1
     assert broken["confirmed"]["failures"] == []
     assert broken["run"][-1]["text"].endswith("reaches into the empty storehouse A")
+
+
+def test_a_run_of_the_simulator_that_keeps_it_is_told(kitrobot, tmp_path: Path) -> None:
+    mutant(tmp_path, UNCOUNTED, stock=1)
+    arguments = ("verify", tmp_path / "mutant.krt", "--timing", "lockstep", *ENDLESS)
+    said = kitrobot(*arguments, "--property", "empty-storehouse")
+    assert "  kept there if carrier-2 waits 0.50 s at 4.94 s\n" in said.out
+    found = kitrobot(*arguments, "--property", "empty-storehouse", "--json").json
+    kept = found["checks"][0]["properties"][0]["why"]["kept"]
+    assert (kept["delayed"], kept["delay_seconds"], kept["ends_well"]) == ("carrier-2", 0.5, True)
 
 
 def test_a_search_that_is_cut_never_holds(kitrobot) -> None:

@@ -330,6 +330,10 @@ ASKED: dict[tuple[str, str], tuple[Asking, ...]] = {
     ("PUT", "/api/handed-out"): (
         lambda both: both.page.put("/api/handed-out", content=b"", params={"exercise": "a.exercise.xml"}),
     ),
+    ("POST", "/api/run-stretch"): (
+        lambda both: both.post("run-stretch", mission=both.mission(), path="rich.krt", seed=1, first=0, last=9),
+        lambda both: both.post("run-stretch", mission=both.mission(), path="rich.krt", seed=1, first=9, last=9),
+    ),
     ("GET", "/api/beginnings"): (lambda both: both.get("beginnings"),),
     ("GET", "/api/beginnings/previews"): (
         lambda both: both.get("beginnings/previews", **first_beginning(both, starter=False)),

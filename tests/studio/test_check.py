@@ -10,6 +10,7 @@ from playwright.sync_api import expect
 from kitrobot.server.routes import drawing_check as drawing_check_socket
 from tests.patience import PATIENCE_S
 from tests.studio.looks import find_nothing
+from tests.studio.studio_page import HEIGHT, WIDTH
 from tests.verifier.check_fixtures import EXAMPLES
 from tests.workspace.test_drawing_check import WAIT
 
@@ -46,7 +47,7 @@ def greedy(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, open_studio) -> str:
 
 @pytest.mark.thorough(
     "web/src/features/check/CheckPanel.test.tsx: a property is written, a check stopped, answers walked and played;"
-    " BrokenRun.test.tsx: why, and both ways; server/test_verification_socket.py; with a server: "
+    " BrokenRun.test.tsx: why; BothWays.test.tsx: both ways; server/test_verification_socket.py; with a server: "
     "test_many_runs.py"
 )
 def test_a_property_is_written_and_what_is_broken_is_told_and_played_and_a_check_can_be_stopped(
@@ -104,7 +105,23 @@ def test_a_property_is_written_and_what_is_broken_is_told_and_played_and_a_check
     expect(studio.at("check-why").locator("li").first).to_contain_text("reaches into the empty storehouse")
     expect(studio.page.locator('[data-decided="true"]').first).to_be_attached()
     studio.at("check-other").click()
-    expect(studio.at("check-both")).to_be_visible()
+    both = studio.at("check-both")
+    expect(both).to_be_visible(timeout=1000 * PATIENCE_S)
+    expect(studio.at("check-steps-play")).to_be_focused()
+    find_nothing(studio, "both ways side by side")
+    keys.press("End")
+    expect(studio.at("check-way-broken")).to_contain_text("reaches into the empty storehouse")
+    for width in (1440, 390):
+        studio.page.set_viewport_size({"width": width, "height": 900})
+        for way in ("broken", "kept"):
+            box = studio.at(f"check-way-{way}").locator(".check-way-arena").bounding_box()
+            assert box is not None
+            assert box["width"] >= min(600, width - 40)
+            assert box["height"] >= 170
+    studio.page.set_viewport_size({"width": WIDTH, "height": HEIGHT})
+    keys.press("Escape")
+    expect(both).to_have_count(0)
+    expect(studio.at("check-other")).to_be_focused()
     find_nothing(studio, "the check with a run open")
     studio.at("check-run").get_by_role("button").first.click()
     expect(studio.at("check-run")).to_have_count(0)

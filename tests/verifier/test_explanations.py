@@ -112,8 +112,10 @@ def test_a_failure_that_is_needed_decides(tmp_path: Path) -> None:
     assert found.confirmed is not None
     assert sentences(found)[2] == "it does not break without that failure"
     assert found.why.tick == found.confirmed.faults[0].tick
-    assert found.why.without_failures is not None
-    assert found.why.without_failures.faults == ()
+    assert found.why.kept is not None
+    assert (found.why.kept.faults, found.why.kept.delayed) == ((), "")
+    assert found.why.kept.tick == found.why.tick
+    assert found.why.kept.ends_well
 
 
 def test_the_stem_of_a_wait_in_vain_has_no_more_than_it_needs(tmp_path: Path) -> None:

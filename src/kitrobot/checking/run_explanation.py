@@ -19,8 +19,9 @@ from kitrobot.verifier.report.avoidance import Certainty, decisive_events
 from kitrobot.verifier.report.counterexample_text import describe_any_step, describe_run
 from kitrobot.verifier.report.explanation import Explanation, explain_run
 from kitrobot.verifier.report.explanation_text import describe_explanation
+from kitrobot.verifier.report.kept_run import KeptRun, find_kept_run
 from kitrobot.verifier.report.replay import ConfirmedRun
-from kitrobot.verifier.report.run_moment import find_run_moment, find_run_without_failures
+from kitrobot.verifier.report.run_moment import find_run_moment
 from kitrobot.verifier.report.storyboard import Scene, draw_scenes
 
 MOST_EVENTS = 600
@@ -57,8 +58,7 @@ class RunExplanation:
         other: another way from there; None without a step.
         tick: of the run of the simulator that confirms it, the step before which it was decided; -1 if that is not
             known.
-        without_failures: the same run of the simulator without its last failures, which keeps the property; its `tick`
-            is that of the first one that is missing. None without failures, or if it breaks the property all the same.
+        kept: a run of the simulator that keeps the property and is the same up to its `tick`; None where none is known.
     """
 
     sentences: tuple[Sentence, ...]
@@ -67,11 +67,11 @@ class RunExplanation:
     left_out: int = 0
     other: OtherWay | None = None
     tick: int = -1
-    without_failures: ConfirmedRun | None = None
+    kept: KeptRun | None = None
 
     def to_json(self, tick_ms: int) -> dict[str, Any]:
         """As plain values."""
-        other, run = self.other, self.without_failures
+        other = self.other
         return {
             "sentences": [str(sentence) for sentence in self.sentences],
             "certainty": self.certainty.value,
@@ -83,7 +83,7 @@ class RunExplanation:
                 "run": [{"step": step, "text": str(text)} for step, text in other.story],
                 "ends_well": other.ends_well,
             },
-            "without_failures": run and run.to_json(tick_ms),
+            "kept": self.kept and self.kept.to_json(tick_ms),
         }
 
 
@@ -136,13 +136,13 @@ def place_explanation(
     fresh: Callable[[int], Simulation],
     stop: Callable[[], bool],
 ) -> RunExplanation:
-    """An explanation with its moment in the run of the simulator that confirms it."""
+    """An explanation with its moment in the run of the simulator that confirms it, and a run that keeps it."""
     run, step = found.run, found.avoidance.step
     if not 0 <= step < len(run.steps):
         return explanation
     events = decisive_events(run, found.avoidance)
-    return replace(
-        explanation,
-        tick=find_run_moment(model, run, step, events, confirmed, fresh, stop),
-        without_failures=find_run_without_failures(verdict.property, confirmed, fresh, stop),
-    )
+    tick = find_run_moment(model, run, step, events, confirmed, fresh, stop)
+    agents = dict.fromkeys(model.parts[event.agent].agent.name for event in events or run.steps[step].events)
+    moment = confirmed.tick if tick < 0 else tick
+    kept = find_kept_run(verdict.property, confirmed, moment, tuple(agents), fresh, stop)
+    return replace(explanation, tick=tick, kept=kept)

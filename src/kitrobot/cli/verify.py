@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from kitrobot.mission.trial import FailureKind
     from kitrobot.verifier.exploration.budget import CutReason
     from kitrobot.verifier.model.timing import Timing
+    from kitrobot.verifier.report.kept_run import KeptRun
     from kitrobot.verifier.report.replay import ConfirmedRun
 
 _MEGA = 1_000_000
@@ -367,5 +368,13 @@ def _why_lines(why: RunExplanation, tick_ms: int) -> Iterator[str]:
             yield f"        … {len(why.other.story) - _OTHER} events …"
     if why.tick >= 0:
         yield f"  decided in the simulator at {why.tick * tick_ms / 1000:.2f} s"
-    if why.without_failures is not None:
-        yield f"  kept there without the failure at {why.without_failures.tick * tick_ms / 1000:.2f} s"
+    if why.kept is not None:
+        yield f"  {_kept_line(why.kept, tick_ms)}"
+
+
+def _kept_line(kept: KeptRun, tick_ms: int) -> str:
+    """The run of the simulator that keeps the property."""
+    seconds = kept.tick * tick_ms / 1000
+    if not kept.delayed:
+        return f"kept there without the failure at {seconds:.2f} s"
+    return f"kept there if {kept.delayed} waits {kept.delay * tick_ms / 1000:.2f} s at {seconds:.2f} s"

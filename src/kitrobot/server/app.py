@@ -37,6 +37,7 @@ from kitrobot.server.routes.own_part import own_part_routes
 from kitrobot.server.routes.page_port import page_port_routes
 from kitrobot.server.routes.parts import parts_routes
 from kitrobot.server.routes.run import run_routes
+from kitrobot.server.routes.run_stretch import run_stretch_routes
 from kitrobot.server.routes.starter import starter_routes
 from kitrobot.server.routes.state_walk import state_walk_routes
 from kitrobot.server.routes.sweep import sweep_routes
@@ -66,6 +67,7 @@ ROUTERS = (
     experiment_routes,
     verify_routes,
     drawing_check_routes,
+    run_stretch_routes,
     state_walk_routes,
     board_routes,
     page_port_routes,

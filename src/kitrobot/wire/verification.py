@@ -88,6 +88,16 @@ class ConfirmingRunShape(BaseModel):
     failures: list[ConfirmingFailureShape]
 
 
+class KeptRunShape(ConfirmingRunShape):
+    """A run of the simulator that keeps a property, the same as the one that breaks it up to step `tick`, at `seconds`:
+    the agent `delayed` waits `delay_s` there, or failures are missing ("").
+    """
+
+    delayed: str
+    delay_s: float
+    ends_well: bool
+
+
 class GuiltyShape(View):
     """A vertex at which a property is broken, whose robot, what happens there, and whether it goes on for ever."""
 
@@ -116,7 +126,7 @@ class WhyShape(View):
     other: OtherWayShape | None
     tick: int
     seconds: float
-    without_failures: ConfirmingRunShape | None
+    kept: KeptRunShape | None
 
 
 class CheckedPropertyShape(View):
@@ -187,7 +197,7 @@ def verify_message(
 
 def _why_shape(why: RunExplanation, tick_ms: int) -> WhyShape:
     """Why a property broke, as the page shows it."""
-    run = why.without_failures
+    kept = why.kept
     return WhyShape(
         sentences=list(why.sentences),
         certainty=why.certainty,
@@ -196,7 +206,14 @@ def _why_shape(why: RunExplanation, tick_ms: int) -> WhyShape:
         other=None if why.other is None else OtherWayShape.model_validate(why.other, from_attributes=True),
         tick=why.tick,
         seconds=max(0, why.tick) * tick_ms / 1000,
-        without_failures=None if run is None else confirming_run_shape(run, tick_ms),
+        kept=None
+        if kept is None
+        else KeptRunShape(
+            **dict(confirming_run_shape(kept, tick_ms)),
+            delayed=kept.delayed,
+            delay_s=kept.delay * tick_ms / 1000,
+            ends_well=kept.ends_well,
+        ),
     )
 
 

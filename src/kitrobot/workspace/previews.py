@@ -3,7 +3,8 @@
 A preview is whole numbers, frame by frame: poses of agents, what displays show, the stock of storehouses, and what pens
 drew. Its key is a digest of the mission, its world, and the files of parts that it brings along, so a change of any of
 them gives another key. Previews of shipped missions are made by `tools/previews.py` and shipped in one file; others are
-made on first request and cached in memory. Left to others: which missions are shown, and drawing.
+made on first request and cached in memory. A stretch of any run is recorded alike. Left to others:
+which missions are shown, and drawing.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from typing import Any
 
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.mission.writer import write_mission
+from kitrobot.sim.event_text import Event
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.step.pens import pens_of
 from kitrobot.trace.drawing import Drawing
@@ -40,6 +42,9 @@ MOST_FRAMES = 80
 """A longer run is shown in fewer frames: it plays faster."""
 MOST_CACHED = 200
 """Previews in memory."""
+MOST_STRETCH = 1_500
+MOST_POSES = 12_000
+"""Frames, and poses of all agents together, of a stretch of a run."""
 
 SHIPPED_PREVIEWS = Path(__file__).parent / "shipped" / "previews.jsonl"
 """A line each: the key, a space, the preview as JSON."""
@@ -121,6 +126,37 @@ def make_preview(opened: OpenMission, seconds: float = MOST_S, hands: Sequence[H
     apart = max(1, math.ceil((len(snapshots) - 1) / (MOST_FRAMES - 1)))
     # The end belongs to what is shown.
     chosen = [*snapshots[:-1:apart], snapshots[-1]]
+    return _preview_of(run, chosen, drawing, 0, TICKS_A_POINT * apart)
+
+
+def record_stretch(run: Simulation, first: int, last: int) -> tuple[Preview, list[Event]]:
+    """Records a run between two of its steps, and what happened from there on; it stands before its first step.
+
+    A preview of `MOST_STRETCH` frames at most, the same number of steps apart (`stretch_apart`); fewer where the run
+    ends sooner.
+    """
+    apart = stretch_apart(first, last, len(run.members))
+    drawing = Drawing(pens_of(run.members))
+    while run.tick < first and run.outcome is None:
+        run.advance(first - run.tick)
+        drawing.add(run.drawn)
+    snapshots, events = [_snapshot(run)], []
+    while run.tick < last and run.outcome is None:
+        run.advance(apart)
+        drawing.add(run.drawn)
+        snapshots.append(_snapshot(run))
+        events += run.events
+    return _preview_of(run, snapshots, drawing, first, apart), events
+
+
+def stretch_apart(first: int, last: int, agents: int) -> int:
+    """How many steps lie between two frames of a stretch: one, as long as they are not too many."""
+    most = max(2, min(MOST_STRETCH, MOST_POSES // max(1, agents)))
+    return max(1, math.ceil((last - first) / (most - 1)))
+
+
+def _preview_of(run: Simulation, chosen: Sequence[_Snapshot], drawing: Drawing, first: int, apart: int) -> Preview:
+    """These moments of a run, the first after step `first`, `apart` steps from one to the next."""
     return Preview(
         agents=[[one.name, one.program, one.robot.name, one.number] for one in run.members],
         seconds=round(run.seconds, 2),
@@ -132,10 +168,10 @@ def make_preview(opened: OpenMission, seconds: float = MOST_S, hands: Sequence[H
             for frame, name, numbers in _changes([snapshot.shown[at] for snapshot in chosen])
         ],
         stock=[list(change) for change in _changes([snapshot.stock for snapshot in chosen])],
-        things=[_way([snapshot.things[at] for snapshot in chosen]) for at in range(len(snapshots[0].things))],
+        things=[_way([snapshot.things[at] for snapshot in chosen]) for at in range(len(chosen[0].things))],
         pens=[pen.agent for pen in drawing.pens],
         marks=[
-            [min(len(chosen) - 1, math.ceil(mark.tick / (TICKS_A_POINT * apart))), *mark[1:]] for mark in drawing.marks
+            [min(len(chosen) - 1, max(0, math.ceil((mark.tick - first) / apart))), *mark[1:]] for mark in drawing.marks
         ],
     )
 

@@ -702,6 +702,20 @@ export interface Judgement {
   tick: number | null;
 }
 
+/**
+ * A run of the simulator that keeps a property, the same as the one that breaks it up to step `tick`, at `seconds`: the
+ * agent `delayed` waits `delay_s` there, or failures are missing ("").
+ */
+export interface KeptRun {
+  seed: number;
+  tick: number;
+  seconds: number;
+  failures: ConfirmingFailure[];
+  delayed: string;
+  delay_s: number;
+  ends_well: boolean;
+}
+
 /** What a method gives: an instruction, true or false, or a number. */
 export type Kind = "procedure" | "test" | "value";
 
@@ -1280,6 +1294,15 @@ export interface RunPreview {
   marks: number[][];
 }
 
+/**
+ * The run between two steps: `run` in frames that are `frame_s` apart, and what happens in it. `ending` says why the
+ * run ended in it; "" where it goes on behind it.
+ */
+export type RunStretch = { run: RunPreview; frame_s: number; events: StretchEvent[]; ending: string };
+
+/** Record the run of a mission with that seed between two steps, `first` before `last`. */
+export type RunStretchAsk = { mission: Mission; path: string; seed: number; first: number; last: number };
+
 /** A mission to be written; `revision` is the one that the page last read or wrote, "" for a new file. */
 export type Save = { path: string; revision: string; mission: Mission };
 
@@ -1457,6 +1480,14 @@ export interface Storehouse {
   height_mm: number;
   capacity: number;
   stock: number;
+}
+
+/** What an agent does or what becomes of it in a stretch, and how many seconds after its beginning. */
+export interface StretchEvent {
+  seconds: number;
+  kind: "load" | "unload" | "message" | "collision" | "failure" | "revival" | "member" | "end" | "outside";
+  agent: string;
+  text: string;
 }
 
 /** A study so far; row number n is point n // `seeds`. */
@@ -1801,7 +1832,7 @@ export interface Why {
   other: OtherWay | null;
   tick: number;
   seconds: number;
-  without_failures: ConfirmingRun | null;
+  kept: KeptRun | null;
 }
 
 /** Units of work, and the seconds after which an unfinished one is free again. */

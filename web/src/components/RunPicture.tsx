@@ -4,14 +4,12 @@
  */
 import "./run-picture.css";
 
-import { useEffect, useRef } from "react";
+import { useEffect } from "react";
 
 import type { RunPreview } from "../api/generated";
-import { useStudio } from "../model/studio";
-import { useTheme } from "../theme";
-import { keepDrawing } from "./picture-clock";
-import { readColours } from "./scene/colours";
-import { bestMoment, drawMoment } from "./scene/play";
+import { keepDrawing, wantsLessMotion } from "./picture-clock";
+import { useRunCanvas } from "./run-canvas";
+import { bestMoment } from "./scene/play";
 import { GraphPicture } from "./WorldPicture";
 
 /** Frames a second. */
@@ -39,51 +37,29 @@ export function RunPicture({ preview, plays }: RunPictureProps) {
 }
 
 function Played({ preview, world, plays }: RunPictureProps & { world: NonNullable<RunPreview["world"]> }) {
-  const canvas = useRef<HTMLCanvasElement>(null);
-  const catalogue = useStudio((studio) => studio.catalogue);
-  const theme = useTheme((state) => state.theme);
-  const moves = plays && preview.frames > 1 && !matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const [canvas, draw] = useRunCanvas({ preview, world });
+  const moves = plays && preview.frames > 1 && !wantsLessMotion();
   useEffect(() => {
     const element = canvas.current;
-    const pen = element?.getContext("2d") ?? null;
-    if (element === null || pen === null) return;
-    const drawn = { preview, world, catalogue, colours: readColours(), dark: theme === "dark" };
-    let began = performance.now();
-    let moment = bestMoment(preview);
-    const draw = () => {
-      const [width, height] = [element.clientWidth, element.clientHeight];
-      if (width === 0 || height === 0) return;
-      const ratio = window.devicePixelRatio || 1;
-      const [wide, high] = [Math.round(width * ratio), Math.round(height * ratio)];
-      if (element.width !== wide) element.width = wide;
-      if (element.height !== high) element.height = high;
-      pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-      drawMoment(pen, { width, height }, drawn, moment);
-    };
+    if (element === null) return;
     let end: (() => void) | null = null;
     const go = (seen: boolean) => {
       element.dataset["moves"] = String(seen && moves);
       end?.();
       end = null;
       if (!seen || !moves) return;
-      began = performance.now();
-      end = keepDrawing((now) => {
-        moment = momentAfter(Math.max(0, now - began), preview.frames);
-        draw();
-      });
+      const began = performance.now();
+      end = keepDrawing((now) => draw(momentAfter(Math.max(0, now - began), preview.frames)));
     };
-    draw();
-    const size = new ResizeObserver(draw);
-    size.observe(element);
+    draw(bestMoment(preview));
     const sight = new IntersectionObserver((entries) => {
       go(entries.at(-1)?.isIntersecting === true);
     });
     sight.observe(element);
     return () => {
-      size.disconnect();
       sight.disconnect();
       end?.();
     };
-  }, [preview, world, catalogue, theme, moves]);
+  }, [canvas, draw, preview, moves]);
   return <canvas ref={canvas} className="picture picture-run" data-moves="false" aria-hidden="true" />;
 }

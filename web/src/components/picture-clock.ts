@@ -19,13 +19,21 @@ function run(now: number): void {
 /** Calls `draw` from now on; the returned function ends it. */
 export function keepDrawing(draw: Draw): () => void {
   drawn.add(draw);
-  if (frame === 0) frame = requestAnimationFrame(run);
+  if (frame === 0) {
+    last = 0;
+    frame = requestAnimationFrame(run);
+  }
   return () => {
     drawn.delete(draw);
     if (drawn.size > 0) return;
     cancelAnimationFrame(frame);
     frame = 0;
   };
+}
+
+/** Whether the person at this page wants less motion. */
+export function wantsLessMotion(): boolean {
+  return matchMedia("(prefers-reduced-motion: reduce)").matches;
 }
 
 /** How many pictures move now. */

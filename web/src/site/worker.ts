@@ -40,7 +40,8 @@ type Beginning = ToWorker & { kind: "begin" };
 /** What is imported before the folder of missions is there. */
 const MODULES = "kitrobot.server.in_worker";
 /** Requests that only ask, though they are no GET. */
-const ASKS = /^\/api\/(again|board-file|check|fragment|image|mission\/(difference|read|team|text)|text|tree|exercise)/;
+const ASKS =
+  /^\/api\/(again|board-file|check|fragment|image|mission\/(difference|read|team|text)|run-stretch|text|tree|exercise|walk)/;
 
 const scope = self as unknown as {
   postMessage: (message: FromWorker, transfer?: Transferable[]) => void;

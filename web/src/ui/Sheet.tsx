@@ -17,10 +17,12 @@ interface SheetProps {
   testId: string;
   children: ReactNode;
   wide?: boolean;
+  /** It takes all of the room that its parent has. */
+  whole?: boolean;
   onClose: () => void;
 }
 
-export function Sheet({ title, testId, children, wide = false, onClose }: SheetProps) {
+export function Sheet({ title, testId, children, wide = false, whole = false, onClose }: SheetProps) {
   const dialog = useRef<HTMLDialogElement>(null);
   const close = useRef(onClose);
   useEffect(() => {
@@ -37,7 +39,7 @@ export function Sheet({ title, testId, children, wide = false, onClose }: SheetP
   }, []);
   return (
     <dialog
-      className={wide ? "sheet sheet-wide" : "sheet"}
+      className={whole ? "sheet sheet-whole" : wide ? "sheet sheet-wide" : "sheet"}
       ref={dialog}
       data-testid={testId}
       aria-labelledby={`${testId}-title`}

@@ -1,4 +1,4 @@
-"""Where in a run of the simulator the moment lies that decided a run of the model, and the run without its failures.
+"""Where in a run of the simulator the moment lies that decided a run of the model.
 
 The two runs have the same events for a while, but not the same times. So the moment is where the same happens to the
 same robot, counted from the end; where the simulator does not tell that event, there is none.
@@ -7,14 +7,12 @@ same robot, counted from the end; where the simulator does not tell that event, 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 
 from kitrobot.sim.simulation import Simulation
 from kitrobot.sim.tables import columns as c
 from kitrobot.verifier.model.model import Model
-from kitrobot.verifier.properties.properties import Property
 from kitrobot.verifier.properties.verdicts import Counterexample
-from kitrobot.verifier.report.replay import FAULT_KINDS, ConfirmedRun, judge_run
+from kitrobot.verifier.report.replay import FAULT_KINDS, ConfirmedRun
 from kitrobot.verifier.tables.events import Event, EventKind
 from kitrobot.verifier.tables.motion import Move
 
@@ -101,21 +99,3 @@ def _has_swung(run: Simulation, robot: int, kind: int) -> bool:
         events[at] == kind and events[at + 1] == robot
         for at in range(0, c.EVENT * int(run.state.clock[c.EVENTS]), c.EVENT)
     )
-
-
-def find_run_without_failures(
-    one: Property,
-    confirmed: ConfirmedRun,
-    fresh: Callable[[int], Simulation],
-    stop: Callable[[], bool],
-) -> ConfirmedRun | None:
-    """The same run without its last failures, as many of them as are at fault, which keeps the property; None for none.
-
-    Its `tick` is that of the first failure that it does not have.
-    """
-    for kept in range(len(confirmed.faults) - 1, -1, -1):
-        fault = confirmed.faults[kept]
-        judged = judge_run(one, fresh(confirmed.seed), confirmed.faults[:kept], stop)
-        if judged.is_broken is False:
-            return replace(confirmed, faults=confirmed.faults[:kept], tick=fault.tick)
-    return None

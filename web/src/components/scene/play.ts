@@ -27,7 +27,8 @@ const EDGE_PX = 6;
 /** Dots of what was driven: so thick, so far apart. */
 const [DOT, APART] = [2, 5];
 const SELDOM: Seldom = { boards, crowds: null, figures };
-const UNSAID = { place: false, names: false };
+/** Of a longer way so many points are drawn. */
+const MOST_POINTS = 200;
 
 function numbersAt(way: readonly number[], frame: number, size: number): readonly number[] {
   const from = way.length > size ? frame * size : 0;
@@ -66,7 +67,8 @@ function placeAt(way: readonly number[], moment: number): Place {
 function driven(way: readonly number[], moment: number): [number, number][] {
   const points: [number, number][] = [];
   if (way.length <= POSE) return points;
-  for (let frame = 0; frame <= moment; frame++) {
+  const apart = Math.ceil(way.length / POSE / MOST_POINTS);
+  for (let frame = 0; frame <= moment; frame += apart) {
     const [x = 0, y = 0] = numbersAt(way, frame, POSE);
     points.push([x, y]);
   }
@@ -138,16 +140,20 @@ interface Drawn {
   catalogue: Catalogue;
   colours: Colours;
   dark: boolean;
+  /** What of the world is seen. */
+  box: Box;
+  /** Whether robots have their names beside them. */
+  names: boolean;
 }
 
 /** Draws a preview at a moment on a canvas that is as large as `room`. */
 export function drawMoment(
   pen: CanvasRenderingContext2D,
   room: Room,
-  { preview, world, catalogue, colours, dark }: Drawn,
+  { preview, world, catalogue, colours, dark, box, names }: Drawn,
   moment: number,
 ): void {
-  const camera = fitBox(boxOf(world, preview), room, EDGE_PX);
+  const camera = fitBox(box, room, EDGE_PX);
   const brush: Brush = { pen, camera, room, unit: unitOf(camera, world), colours };
   const scene = sceneAt(preview, world, catalogue, moment);
   const poses = preview.ways.map((way) => poseAt(way, moment));
@@ -174,5 +180,5 @@ export function drawMoment(
     world,
     preview.things.map((way) => placeAt(way, moment)),
   );
-  drawActors(brush, scene, seen, "", "", SELDOM, UNSAID);
+  drawActors(brush, scene, seen, "", "", SELDOM, { place: false, names });
 }

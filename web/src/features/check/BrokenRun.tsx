@@ -58,6 +58,7 @@ export function BrokenRun({ cell }: { cell: Cell }) {
   if (shown === null || asked === null || mission === undefined) return null;
   const { answer, column } = shown;
   const other = showsOther ? (answer.why?.other ?? null) : null;
+  const close = () => setShowsOther(false);
   return (
     <section className="check-run column scroll gap-m" ref={place} data-testid="check-run" aria-label={t("check.run")}>
       <header className="row between">
@@ -68,15 +69,9 @@ export function BrokenRun({ cell }: { cell: Cell }) {
         <Said text={answer.sentence} />
       </p>
       <Seen answer={answer} />
-      <WhyBroken answer={answer} open={other !== null} onOther={setShowsOther} />
-      {other !== null ? (
-        <>
-          <p className="muted small-text">{t(other.ends_well ? "check.other-well" : "check.other-only")}</p>
-          <BothWays broken={answer} other={other} decided={answer.why?.step ?? 0} mission={mission} />
-        </>
-      ) : answer.confirmed === null ? (
-        <StepArena run={answer} mission={mission} decided={answer.why?.step ?? -1} />
-      ) : null}
+      <WhyBroken answer={answer} onOther={() => setShowsOther(true)} />
+      {other === null ? null : <BothWays answer={answer} other={other} asked={asked} onClose={close} />}
+      {answer.confirmed === null ? <StepArena run={answer} mission={mission} decided={answer.why?.step ?? -1} /> : null}
       {answer.places.length === 0 ? null : (
         <p className="check-play row lesson-head">
           <Button

@@ -4,9 +4,9 @@ import { t } from "../../i18n/words";
 import type { Mission } from "../../model/types";
 import { Icon } from "../../theme";
 import { SceneArena } from "./SceneArena";
-import { StepBar, useSteps } from "./StepBar";
+import { StepBar, STEPS_A_SECOND, useSteps } from "./StepBar";
 import { SceneEvents } from "./SceneEvents";
-import { type ModelRun, sceneAfter } from "./table";
+import { type ModelRun, repeatedFrom } from "./table";
 import { useWorldOf } from "./world";
 
 interface Props {
@@ -19,8 +19,8 @@ interface Props {
 export function StepArena({ run, mission, decided = -1 }: Props) {
   const world = useWorldOf(mission);
   const { scenes } = run;
-  const steps = useSteps(scenes.length - 1, (at) => sceneAfter(run, at));
-  const scene = scenes[steps.at];
+  const steps = useSteps({ length: scenes.length - 1, unit: 1, rate: STEPS_A_SECOND, again: repeatedFrom(run) });
+  const scene = scenes[Math.floor(steps.at)];
   if (world === null || scene === undefined || scenes.length < 2) return null;
   const moment = decided < 0 ? -1 : scenes.findIndex(({ step }) => step === decided);
   const repeats = run.repeats_from >= 0 && scene.step >= run.repeats_from;

@@ -10,15 +10,14 @@ import { play } from "./check-session";
 
 interface Props {
   answer: CheckedProperty;
-  /** Whether the other way is open. */
-  open: boolean;
-  onOther: (open: boolean) => void;
+  /** Opens the other way. */
+  onOther: () => void;
 }
 
-export function WhyBroken({ answer, open, onOther }: Props) {
+export function WhyBroken({ answer, onOther }: Props) {
   const { why, confirmed } = answer;
   if (why === null) return null;
-  const { sentences, left_out: leftOut, other, without_failures: kept } = why;
+  const { sentences, left_out: leftOut, other, kept } = why;
   return (
     <section className="check-why column gap-s" data-testid="check-why" aria-label={t("check.why")}>
       <h4>{t("check.why")}</h4>
@@ -37,11 +36,11 @@ export function WhyBroken({ answer, open, onOther }: Props) {
         ) : null}
         {kept === null ? null : (
           <PlayFrom testId="check-play-kept" run={kept}>
-            {t("check.play-kept")}
+            {t(kept.delayed === "" ? "check.play-kept" : "check.play-waits")}
           </PlayFrom>
         )}
         {other === null || other.scenes.length < 2 ? null : (
-          <Button icon="git-fork" testId="check-other" aria-pressed={open} onClick={() => onOther(!open)}>
+          <Button icon="git-fork" testId="check-other" aria-haspopup="dialog" onClick={onOther}>
             {t("check.other-way")}
           </Button>
         )}

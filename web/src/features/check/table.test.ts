@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 
 import type { CheckedProperty, ConfirmingRun } from "../../api/generated";
 import { withFailures } from "../../session/confirming-run";
-import { counterexampleMarks, momentsFrom, plan, sceneAfter, sceneAt, shapeOf, stretches } from "./table";
+import { counterexampleMarks, momentsFrom, plan, repeatedFrom, sceneAt, shapeOf, stretches } from "./table";
 
 const BROKEN: CheckedProperty = {
   name: "contact",
@@ -79,10 +79,10 @@ const LASSO: CheckedProperty = {
   ],
 };
 
-test("scenes play to the last one, and what repeats goes on from where it began", () => {
-  expect([0, 1, 2, 3].map((place) => sceneAfter(LASSO, place))).toEqual([1, 2, 3, 2]);
-  expect(sceneAfter({ ...LASSO, repeats_from: -1 }, 3)).toBeNull();
-  expect(sceneAfter({ ...LASSO, repeats_from: 3 }, 3), "it stays as it is").toBeNull();
+test("what repeats goes on from where it began", () => {
+  expect(repeatedFrom(LASSO)).toBe(2);
+  expect(repeatedFrom({ ...LASSO, repeats_from: -1 })).toBeNull();
+  expect(repeatedFrom({ ...LASSO, repeats_from: 3 }), "it stays as it is").toBeNull();
 });
 
 test("guilty vertices have their robots and one sentence a program, and vertices on the way the steps that come to them", () => {

@@ -78,11 +78,10 @@ export function otherRun({ scenes, events }: OtherWay): ModelRun {
   return { scenes, events, steps: scenes.at(-1)?.step ?? 0, repeats_from: -1 };
 }
 
-/** The scene that follows one, by their places; what repeats goes on from where it began. Null after the last. */
-export function sceneAfter({ scenes, repeats_from }: ModelRun, at: number): number | null {
-  if (at + 1 < scenes.length) return at + 1;
+/** The place of the scene with which what repeats begins again; null where nothing does. */
+export function repeatedFrom({ scenes, repeats_from }: ModelRun): number | null {
   const again = scenes.findIndex(({ step }) => step === repeats_from + 1);
-  return repeats_from < 0 || again < 0 || again > at ? null : again;
+  return repeats_from < 0 || again < 0 ? null : again;
 }
 
 /** The steps of runs from one on of which one of them has a scene, in their order. */
