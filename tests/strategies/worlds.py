@@ -30,6 +30,8 @@ from kitrobot.world.model import (
 )
 
 names = st.text(alphabet="aZ09-_. é“<&'\"", min_size=1, max_size=6).filter(lambda name: name.strip() == name)
+labels = names.map(lambda name: " ".join(name.split()))
+"""A reader takes white space as one space."""
 places = st.integers(-1_000_000, 3_000_000).map(lambda thousandths: thousandths / 1000)
 lengths = st.integers(1_000, 900_000).map(lambda thousandths: thousandths / 1000)
 counts = st.integers(0, 40)
@@ -108,6 +110,6 @@ worlds = st.builds(
     ).map(tuple),
     balls=st.lists(st.builds(Ball, places, places, sizes, lengths, st.just(0.02)), max_size=2).map(tuple),
     zones=st.lists(zones, max_size=2).map(tuple),
-    label=st.dictionaries(st.sampled_from(TEXT_LANGUAGES), names, max_size=2),
+    label=st.dictionaries(st.sampled_from(TEXT_LANGUAGES), labels, max_size=2),
 )
 """Worlds whose parts may lie outside, cross, or name what is not there."""
