@@ -142,9 +142,9 @@ def _after_step(watch: RunWatch | None, bridge: RosBridge | None) -> AfterStep |
         return None if watch is None else watch.after_step
 
     def send() -> None:
-        bridge.publish()
-        if not bridge.wait_for_step():
+        if not bridge.wait_until_due():
             raise KeyboardInterrupt(STOPPED_BY_ROS)
+        bridge.publish()
 
     def send_after_step() -> Sequence[Event]:
         found = watch.after_step() if watch is not None else ()

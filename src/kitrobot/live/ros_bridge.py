@@ -144,13 +144,14 @@ class RosBridge:
             named = [(level, robot, word) for robot, (level, word) in zip(self._robots, states, strict=True)]
             self._send_diagnostics(encode_diagnostics(stamp, named))
 
-    def wait_for_step(self) -> bool:
-        """Waits until the next step is due in real time; gives False when the run is to end."""
+    def wait_until_due(self) -> bool:
+        """Waits until real time has come to where the run stands; gives False when the run is to end instead."""
         tick = self._simulation.tick
         if tick == 0:
             self._pacer.set_speed(1.0, tick)
-        self._pacer.due(tick)  # A run that fell behind does not race.
-        return not self.stopped.wait(self._pacer.wait_s(tick))
+            return not self.stopped.is_set()
+        self._pacer.due(tick - 1)  # A run that fell behind does not race.
+        return not self.stopped.wait(self._pacer.wait_s(tick - 1))
 
     def close(self) -> None:
         """The node leaves the network."""
