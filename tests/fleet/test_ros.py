@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 import os
-import socket
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -225,27 +224,3 @@ def test_an_attachment_is_what_the_client_reads() -> None:
     read = Attachment.from_bytes(encode_attachment(3, 1_700_000_000_000_000_000, sender))
     assert (read.sequence_id, read.timestamp_ns, read.gid) == (3, 1_700_000_000_000_000_000, sender)
     assert sender != sender_id("@ros2_lv/another")
-
-
-# ---- refusals
-
-
-def refused(*words: str) -> str:
-    ran = subprocess.run(
-        [sys.executable, "-m", "kitrobot", "run", *words],
-        capture_output=True,
-        text=True,
-        timeout=PATIENCE_S,
-        check=False,
-    )
-    assert ran.returncode != 0
-    assert "Traceback" not in ran.stderr
-    return ran.stderr
-
-
-def test_a_port_that_is_taken_is_told_with_a_way_out(mission: Path) -> None:
-    with socket.create_server(("127.0.0.1", 0)) as taken:
-        endpoint = f"tcp/127.0.0.1:{taken.getsockname()[1]}"
-        said = refused(str(mission), "--ros", "7", "--ros-listen", endpoint)
-    assert "the network cannot be opened" in said
-    assert f"`--ros-router {endpoint}`" in said

@@ -198,9 +198,7 @@ def _exit_status(act: Callable[[], int], failed: int) -> int:
         print_error(error)
         return failed
     except (KeyboardInterrupt, _InterruptedError) as error:
-        from kitrobot.translation.reader_language import translate
-
-        print_message(translate(error.args[0]) if error.args else "broken off")
+        print_message(str(error) or "broken off")
         return INTERRUPTED
     except (BrokenPipeError, OutputClosedError):
         _discard_output()

@@ -57,7 +57,7 @@ def ros_network(domain: int | None, listen: str | None, router: str | None) -> R
         raise typer.BadParameter("either this run is the router, or another one is", param_hint="'--ros-router'")
     from kitrobot.live.ros_bridge import LOCAL_ENDPOINT, RosNetwork
 
-    return RosNetwork(domain, listen or LOCAL_ENDPOINT, router or "")
+    return RosNetwork(domain, LOCAL_ENDPOINT if listen is None else listen, router)
 
 
 @contextmanager

@@ -53,12 +53,12 @@ class RosNetwork:
     Attributes:
         domain: its ROS_DOMAIN_ID, 0 to 232.
         listen: the Zenoh endpoint at which its nodes reach this run, which is a router for them.
-        router: the endpoint of a router that is there; "": this run is the router.
+        router: the endpoint of a router that is there; None: this run is the router.
     """
 
     domain: int
     listen: str = LOCAL_ENDPOINT
-    router: str = ""
+    router: str | None = None
 
 
 class RosBridge:
@@ -170,7 +170,7 @@ def _open(network: RosNetwork) -> tuple[Any, Any]:
         "transport/link/tx/queue/size/data": 16,
     }
     missing = Sentence("messages for ROS 2 need the package `{package}`", "eclipse-zenoh")
-    if network.router:
+    if network.router is not None:
         settings |= {"mode": "client", "connect/endpoints": [network.router], "connect/timeout_ms": 2000}
         return open_session(
             settings, missing, Sentence("start the router: {command}", "`ros2 run rmw_zenoh_cpp rmw_zenohd`")
