@@ -1,7 +1,7 @@
 """A client of ROS 2 that is not ours: what it finds on a network and receives, as JSON; then it stops the run.
 
-Run as a script in a process of its own: PORT DOMAIN FOLDER ROBOT SECONDS. FOLDER has the definitions of messages. What
-it receives for so many seconds of the run is told.
+Run as a script in a process of its own: PORT DOMAIN FOLDER ROBOT COUNT. FOLDER has the definitions of messages. It
+waits for so many messages of each topic, and for two diagnostics.
 """
 
 import json
@@ -29,7 +29,7 @@ def plain(value: Any) -> Any:
     return value.tolist() if hasattr(value, "tolist") else value
 
 
-def main(port: int, domain: int, folder: Path, robot: str, seconds: int) -> None:
+def main(port: int, domain: int, folder: Path, robot: str, least: int) -> None:
     session = ZenohSession.get_instance("127.0.0.1", port)
     get_registry().messages_dir = folder
     where: dict[str, Any] = {"router_ip": "127.0.0.1", "router_port": port}
@@ -42,15 +42,16 @@ def main(port: int, domain: int, folder: Path, robot: str, seconds: int) -> None
     received: dict[str, list[Any]] = {name: [] for name in topics if name != LAST}
     enough = Event()
 
+    wanted = {"/tf": least, "/diagnostics": 2, "/clock": least, f"/{robot}/odom": least, f"/{robot}/cmd_vel": least}
+
     def collect(name: str) -> Callable[[Any], None]:
         def add(message: Any) -> None:
             received[name].append(plain(message))
-            if name == "/clock" and message.clock.sec >= received[name][0]["clock"]["sec"] + seconds:
+            if all(len(received[topic]) >= count for topic, count in wanted.items()):
                 enough.set()
 
         return add
 
-    wanted = ("/tf", "/diagnostics", "/clock", f"/{robot}/odom", f"/{robot}/cmd_vel")
     heard = [
         ROS2Subscriber(topic=name, msg_type=topics[name][0], callback=collect(name), domain_id=domain, **where)
         for name in wanted

@@ -141,8 +141,10 @@ class RosBridge:
         second = 1000 // self._simulation.tick_ms or 1
         if record.tick % second == 0 or self._simulation.outcome is not None:
             states = [_HOW.get(DOING[record.numbers[at]], _WELL) for at in self._doing]
-            named = [(level, robot, word) for robot, (level, word) in zip(self._robots, states, strict=True)]
-            self._send_diagnostics(encode_diagnostics(stamp, named))
+            named = zip(states, self._robots, members, strict=True)
+            self._send_diagnostics(
+                encode_diagnostics(stamp, [(level, robot, word, one.name) for (level, word), robot, one in named])
+            )
 
     def wait_until_due(self) -> bool:
         """Waits until real time has come to where the run stands; gives False when the run is to end instead."""

@@ -50,10 +50,13 @@ def clock() -> CdrLayout:
     return CdrLayout().numbers("iI")
 
 
-def encode_diagnostics(stamp: tuple[int, int], states: Iterable[tuple[int, str, str]]) -> bytes:
-    """A `diagnostic_msgs/msg/DiagnosticArray`; of each robot a level, its name, and a word about it."""
+def encode_diagnostics(stamp: tuple[int, int], states: Iterable[tuple[int, str, str, str]]) -> bytes:
+    """A `diagnostic_msgs/msg/DiagnosticArray`; of each robot a level, a name, a word about it, and its own name."""
     listed = list(states)
     layout = CdrLayout().numbers("iI").text("").length(len(listed))
-    for _, name, word in listed:
-        layout.numbers("B").text(name).text(word).text(name).length(0)
-    return layout.encode((*stamp, *(level for level, _, _ in listed)))
+    for _, *texts in listed:
+        layout.numbers("B")
+        for text in texts:
+            layout.text(text)
+        layout.length(0)
+    return layout.encode((*stamp, *(level for level, *_ in listed)))
