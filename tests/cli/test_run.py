@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+import socket
 
 import pytest
 
@@ -228,12 +229,34 @@ def test_a_mission_that_is_not_there_is_a_sentence(kitrobot, name):
         ["--fail-rate", "-0.1"],
         ["--fail-rate", "nan"],
         ["--fail-rate", "inf"],
+        ["--ros", "233"],
+        ["--ros", "-1"],
+        ["--ros", "x"],
+        ["--ros", "0", "--fail-sweep", "1"],
+        ["--ros", "0", "--ros-listen", "tcp/127.0.0.1:0", "--ros-router", "tcp/127.0.0.1:1"],
+        ["--ros-listen", "tcp/127.0.0.1:0"],
+        ["--ros-router", "tcp/127.0.0.1:1"],
         ["--nothing"],
     ],
 )
 def test_options_that_make_no_sense_are_refused(kitrobot, short, options):
     said = kitrobot("run", short, *options)
     assert (said.status, said.out) == (2, "")
+
+
+def test_an_endpoint_for_ros_that_is_taken_or_none_is_told_with_a_way_out(kitrobot, short):
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        endpoint = f"tcp/127.0.0.1:{taken.getsockname()[1]}"
+        said = [kitrobot("run", short, "--ros", 7, "--ros-listen", one) for one in (endpoint, "nowhere", "")]
+    assert [(one.status, one.out) for one in said] == [(1, "")] * 3
+    assert all("the network cannot be opened" in one.err for one in said)
+    assert f"`--ros-router {endpoint}`" in said[0].err
+
+
+def test_a_router_of_ros_that_is_not_there_is_told(kitrobot, short):
+    said = kitrobot("run", short, "--ros", 7, "--ros-router", "tcp/127.0.0.1:1")
+    assert (said.status, said.out) == (1, "")
+    assert "`ros2 run rmw_zenoh_cpp rmw_zenohd`" in said.err
 
 
 def test_python_gives_what_the_command_gives(kitrobot, transport):

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from kitrobot.fleet import transport
+from kitrobot.fleet import transport, zenoh_session
 from kitrobot.fleet.envelopes import TEAM_PROCESS
 from kitrobot.fleet.keys import key_of
 from kitrobot.fleet.link_sockets import GIVEN_UP_MS, set_up_links
@@ -104,7 +104,7 @@ class Violation:
 
 
 def test_closing_a_channel_neither_waits_for_who_is_out_of_reach_nor_fails(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(transport, "CLOSED_WITHIN_S", 0.0)
+    monkeypatch.setattr(zenoh_session, "CLOSED_WITHIN_S", 0.0)
     channel = Channel(Network("here", ("tcp/127.0.0.1:0",)), 0, KEY)
     session: Any = channel._session
     broken: Any = Violation()

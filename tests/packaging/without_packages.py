@@ -58,6 +58,7 @@ def main(root: Path, folder: Path) -> None:
     call("boards", "--to", "socket://127.0.0.1:1", "--json")
     call("deploy", heart, "--to", "socket://127.0.0.1:1")
     call("team", str(root / "examples/convoy/convoy.krt"), "--seconds", "1")
+    call("run", heart, "--seconds", "1", "--ros", "0")
     sys.stdout.write(json.dumps(told))
 
 

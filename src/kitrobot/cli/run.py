@@ -13,14 +13,19 @@ import typer
 
 from kitrobot.cli.options import WATCH_HELP, MissionFile, ResultAsJson, RunSeconds
 from kitrobot.cli.output import json_text, print_data, print_diagnostics, print_message
+from kitrobot.cli.ros import STOPPED_BY_ROS, RosDomain, RosListen, RosRouter, ros_bridge, ros_network
 from kitrobot.diagnostics.read_files import expect_outputs
 
 if TYPE_CHECKING:
     from kitrobot.judges.judgement import Judgement
     from kitrobot.judges.run_watch import RunWatch
+    from kitrobot.live.ros_bridge import RosBridge
     from kitrobot.primitives.kit import Kit
+    from kitrobot.sim.event_text import Event
     from kitrobot.workspace.mission_run import PreparedRun, Run
 
+AfterStep = Callable[[], "Sequence[Event]"]
+"""Called after each step of a run; gives events to record."""
 
 Seed = Annotated[int, typer.Option(min=0, help="Chance begins here: the same seed gives the same run.")]
 TraceFile = Annotated[Path | None, typer.Option(metavar="FILE.krtrace", help="Record the run: same seed, same bytes.")]
@@ -84,8 +89,11 @@ def run_mission(
     jobs: Jobs = None,
     picture: HeatMap = None,
     watched: Watch = None,
+    ros: RosDomain = None,
+    ros_listen: RosListen = None,
+    ros_router: RosRouter = None,
 ) -> None:
-    """Run a mission in the simulator, as fast as it goes.
+    """Run a mission in the simulator, as fast as it goes; with `--ros` in real time.
 
     The exit status is 0 when the mission was done, and 1 when it failed, got stuck, ran out of time or has errors. Of a
     sweep it is 0 when it was done in every run, or with `--pairs` done or failed.
@@ -98,16 +106,13 @@ def run_mission(
     from kitrobot.world.floor_svg import floor_svg
 
     check_run_numbers(seed, seconds, fail_rate)
-    if fail_sweep is None and (pairs or jobs is not None or picture is not None):
+    if fail_sweep is not None:
+        _check_sweep(pairs, picture, watched, drawing, trace, ros)
+    elif pairs or jobs is not None or picture is not None:
         raise typer.BadParameter("`--pairs`, `--jobs` and `--output` are of a sweep", param_hint="'--fail-sweep'")
-    if fail_sweep is not None and watched and (pairs or picture is not None):
-        raise typer.BadParameter("properties are watched for where one robot fails", param_hint="'--watch'")
-    if fail_sweep is not None and drawing is not None:
-        raise typer.BadParameter("the many runs of a sweep are not drawn", param_hint="'--drawing'")
+    network = ros_network(ros, ros_listen, ros_router)
     if floor and drawing is None:
         raise typer.BadParameter("`--floor` is of a drawing", param_hint="'--drawing'")
-    if fail_sweep is not None and trace is not None:
-        raise typer.BadParameter("the many runs of a sweep are not recorded", param_hint="'--trace'")
     if board is not None and trace is not None:
         words = "a recording brings its robots along as their files say, not as a kit was measured"
         raise typer.BadParameter(words, param_hint="'--board'")
@@ -122,13 +127,32 @@ def run_mission(
         _sweep(prepared, fail_sweep, pairs, jobs, picture, as_json)
         return
     watch = _watch_of(prepared, watched) if watched else None
-    with _progress(seconds) as progress:
-        run = prepared.run(progress, None if watch is None else watch.after_step)
+    with ros_bridge(prepared.simulation, network) as bridge, _progress(seconds) as progress:
+        run = prepared.run(progress, _after_step(watch, bridge))
     if drawing is not None:
         world = prepared.simulation.world
         under = floor_svg(world) if floor else ()
         replace_whole(drawing, drawing_svg(run.strokes, world.width_mm, world.height_mm, under).encode())
     _print_run(run, watch.judgements(prepared.opened.name) if watch is not None else [], as_json)
+
+
+def _after_step(watch: RunWatch | None, bridge: RosBridge | None) -> AfterStep | None:
+    """What is done after each step of a run: it is watched, and sent to ROS 2. A stop from there is as Ctrl-C."""
+    if bridge is None:
+        return None if watch is None else watch.after_step
+
+    def send() -> None:
+        if not bridge.wait_until_due():
+            raise KeyboardInterrupt(STOPPED_BY_ROS)
+        bridge.publish()
+
+    def send_after_step() -> Sequence[Event]:
+        found = watch.after_step() if watch is not None else ()
+        send()
+        return found
+
+    send()
+    return send_after_step
 
 
 def _print_run(run: Run, judgements: list[Judgement], as_json: bool) -> None:
@@ -143,6 +167,25 @@ def _print_run(run: Run, judgements: list[Judgement], as_json: bool) -> None:
         print_data(_summary(run) + "".join(f"{line}\n" for line in ("", *judgement_lines(judgements)) if judgements))
     if run.outcome != "done" or exit_status(judgements) == 1:
         raise typer.Exit(1)
+
+
+def _check_sweep(
+    pairs: bool,
+    picture: Path | None,
+    watched: list[str] | None,
+    drawing: Path | None,
+    trace: Path | None,
+    ros: int | None,
+) -> None:
+    """Refuses what a sweep does not do."""
+    if watched and (pairs or picture is not None):
+        raise typer.BadParameter("properties are watched for where one robot fails", param_hint="'--watch'")
+    if drawing is not None:
+        raise typer.BadParameter("the many runs of a sweep are not drawn", param_hint="'--drawing'")
+    if trace is not None:
+        raise typer.BadParameter("the many runs of a sweep are not recorded", param_hint="'--trace'")
+    if ros is not None:
+        raise typer.BadParameter("the many runs of a sweep are not sent to ROS 2", param_hint="'--ros'")
 
 
 def _sweep(

@@ -26,6 +26,7 @@ from kitrobot.cli.agent import (
 )
 from kitrobot.cli.options import WATCH_HELP, MissionFile, ResultAsJson, RunSeconds
 from kitrobot.cli.output import INTERRUPTED, json_text, print_data, print_diagnostics
+from kitrobot.cli.ros import STOPPED_BY_ROS, RosDomain, RosListen, RosRouter, ros_bridge, ros_network
 from kitrobot.cli.run import watched_properties
 from kitrobot.diagnostics.read_files import note_read
 from kitrobot.text.sentences import Sentence
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
     from kitrobot.fleet.team_process import FleetRun
     from kitrobot.judges.fleet_watch import FleetWatch
     from kitrobot.judges.judgement import Judgement
+    from kitrobot.live.ros_bridge import RosBridge
     from kitrobot.sim.recorder import Recorder
     from kitrobot.sim.simulation import Simulation
     from kitrobot.trace.model import TickRecord, TraceHeader
@@ -87,6 +89,9 @@ def run_team(
     as_json: ResultAsJson = False,
     watched: Watch = None,
     stop_on_broken: StopOnBroken = False,
+    ros: RosDomain = None,
+    ros_listen: RosListen = None,
+    ros_router: RosRouter = None,
 ) -> None:
     """Run a mission whose agents are processes of their own and meet over the network.
 
@@ -101,6 +106,7 @@ def run_team(
     _check_numbers(seed, seconds, pace, lease, wait)
     if stop_on_broken and not watched:
         raise typer.BadParameter("it is of properties that are watched: --watch", param_hint="'--stop-on-broken'")
+    there = ros_network(ros, ros_listen, ros_router)
     for secret in (key, *(tls.glob("*.pem") if tls is not None else ())):
         if secret is not None:
             note_read(secret)
@@ -119,10 +125,13 @@ def run_team(
     )
     here = [name for name in names if name not in (elsewhere or ())]
     plan = FleetPlan(file, here, network, key, boards, lease, pace, wait)
-    _run_to_end(prepared, plan, watched or [], stop_on_broken, as_json)
+    with ros_bridge(simulation, there) as bridge:
+        _run_to_end(prepared, plan, watched or [], stop_on_broken, as_json, bridge)
 
 
-def _run_to_end(prepared: PreparedRun, plan: FleetPlan, watched: list[str], stops: bool, as_json: bool) -> None:
+def _run_to_end(
+    prepared: PreparedRun, plan: FleetPlan, watched: list[str], stops: bool, as_json: bool, bridge: RosBridge | None
+) -> None:
     """Runs a fleet, gives what came of it, and ends with its status; `stops`: a property that breaks stops it."""
     from kitrobot.fleet.processes import Agents
     from kitrobot.fleet.team_process import FleetCallbacks
@@ -134,16 +143,23 @@ def _run_to_end(prepared: PreparedRun, plan: FleetPlan, watched: list[str], stop
     recorder = Recorder(simulation, parts_of(prepared.opened))
     watch = _watch_of(prepared, recorder.header, watched)
     stop = watch if stops else None
-    with Agents() as agents, emergency_stop() as pressed, recording(prepared, recorder, watch) as on_step:
+    told = bridge.stopped if bridge is not None else threading.Event()
+    with Agents() as agents, emergency_stop() as pressed, recording(prepared, recorder, watch) as record:
+
+        def on_step(simulation: Simulation) -> None:
+            record(simulation)
+            if bridge is not None:
+                bridge.publish()
+
         callbacks = FleetCallbacks(
             log_event,
-            lambda: _is_over(pressed, stop),
+            lambda: told.is_set() or _is_over(pressed, stop),
             on_step,
-            stop_sentence=lambda: _stop_sentence(pressed, stop),
+            stop_sentence=lambda: STOPPED_BY_ROS if told.is_set() else _stop_sentence(pressed, stop),
         )
         run = run_fleet(simulation, plan, agents, callbacks)
     _print_result(simulation, run, watch.judgements() if watch is not None else [], as_json)
-    if pressed.is_set() and run.outcome == "stopped":
+    if (pressed.is_set() or told.is_set()) and run.outcome == "stopped":
         raise typer.Exit(INTERRUPTED)
     if run.outcome != "done" or (watch is not None and watch.broken):
         raise typer.Exit(1)

@@ -11,15 +11,13 @@ nothing but what is of this run. So what somebody recorded of another run begins
 
 from __future__ import annotations
 
-import json
 import secrets
 import time
 from collections import Counter, deque
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from threading import Condition, Thread
+from threading import Condition
 from typing import Any
 
 from kitrobot.fleet.charter import FleetError
@@ -37,14 +35,13 @@ from kitrobot.fleet.envelopes import (
 )
 from kitrobot.fleet.link_sockets import set_up_links
 from kitrobot.fleet.refusals import NOBODY, Refusals
+from kitrobot.fleet.zenoh_session import close_session, open_session
 from kitrobot.team.charter import MOST_MEMBERS
 from kitrobot.text.sentences import Sentence
 
 MOST_OF_ONE = 1024
 """Messages of one sender that may wait."""
 MOST_WAITING = 16_384
-CLOSED_WITHIN_S = 1.0
-"""How long closing a channel is waited for; what is still to be sent then is lost."""
 MOST_REASONS = 128
 """Senders and reasons to refuse messages that are stored until they are reported."""
 
@@ -204,59 +201,31 @@ class Channel:
         )
 
     def close(self) -> None:
-        """Ends it; nothing comes any more.
-
-        Zenoh waits for connections whose other ends are out of reach, and then fails; nobody waits for that here.
-        """
-        closing = Thread(target=self._close, daemon=True, name="closes a channel")
-        closing.start()
-        closing.join(CLOSED_WITHIN_S)
-
-    def _close(self) -> None:
-        with suppress(Exception):  # Zenoh's own errors have no class that all versions share.
-            self._session.close()
+        """Ends it; nothing comes any more."""
+        close_session(self._session)
 
 
 def _open(network: Network) -> tuple[Any, Any]:
     """Zenoh, and a session of it."""
-    try:
-        import zenoh
-    except ImportError as error:
-        raise FleetError(
-            Sentence("a team as processes needs the package `{package}`", "eclipse-zenoh"),
-            Sentence("install it: {command}", "`pip install kitrobot[fleet]`"),
-        ) from error
-    zenoh.init_log_from_env_or("off")
-    config = zenoh.Config()
     settings: dict[str, Any] = {
         "mode": "client" if network.router else "peer",
-        "scouting/multicast/enabled": False,
-        "scouting/gossip/enabled": True,
         "connect/endpoints": list(network.connect),
         "connect/timeout_ms": 5000,
         # Zenoh waits 1, 2, 4 s between attempts: longer than a router takes to be there again.
         "connect/retry": {"period_init_ms": 200, "period_max_ms": 500, "period_increase_factor": 1.5},
         "connect/exit_on_failure": False,
-        "listen/exit_on_failure": True,
-        "transport/unicast/max_sessions": 1000,
-        # A queue of two batches, and 1 ms of patience, lose messages whenever the machine is busy.
+        # A queue of two batches loses messages whenever the machine is busy.
         "transport/link/tx/queue/size/real_time": 16,
-        "transport/link/tx/queue/congestion_control/drop/wait_before_drop": 5000,
     }
     if not network.router:
         settings["listen/endpoints"] = list(network.listen)
     if network.tls is not None:
         settings |= _tls(network.tls)
-    try:
-        for name, value in settings.items():
-            config.insert_json5(name, json.dumps(value))
-        return zenoh, zenoh.open(config)
-    except Exception as error:  # Zenoh's own errors have no class of their own that all versions share.
-        first = str(error).strip().partition("\n")[0][:200]
-        raise FleetError(
-            Sentence("the network cannot be opened: {why}", first),
-            Sentence("an endpoint is written as `tcp/HOST:PORT`, with TLS as `tls/HOST:PORT`"),
-        ) from error
+    return open_session(
+        settings,
+        Sentence("a team as processes needs the package `{package}`", "eclipse-zenoh"),
+        Sentence("an endpoint is written as `tcp/HOST:PORT`, with TLS as `tls/HOST:PORT`"),
+    )
 
 
 def _tls(folder: Path) -> dict[str, Any]:

@@ -215,6 +215,11 @@ class Actuator(Device):
         return False
 
     @classmethod
+    def commanded_motion(cls, k: int, state: State) -> tuple[float, float]:
+        """How actuator k, one that drives its robot, was told to move it last: mm/s forward, rad/s to the left."""
+        return 0.0, 0.0
+
+    @classmethod
     def is_waiting_for_room(cls, k: int, state: State) -> bool:
         """Whether actuator k waits for room in its storehouse."""
         return False

@@ -64,6 +64,10 @@ class Drive(Actuator):
         return bool(state.robots.floats[TARGET][state.actuators.ints[A_ROBOT][k]])
 
     @classmethod
+    def commanded_motion(cls, k: int, state: State) -> tuple[float, float]:
+        return state.robots.floats[TARGET][state.actuators.ints[A_ROBOT][k]], 0.0
+
+    @classmethod
     def display_kind(cls, values: Values) -> DisplayKind:
         return "wheels"
 

@@ -44,6 +44,10 @@ class Turn(Actuator):
         return bool(state.actuators.floats[RATE][k])
 
     @classmethod
+    def commanded_motion(cls, k: int, state: State) -> tuple[float, float]:
+        return 0.0, state.actuators.floats[RATE][k]
+
+    @classmethod
     def initial_floats(cls, part: RobotObject, values: Values) -> tuple[float, ...]:
         return (math.radians(values.number("rate")),)
 

@@ -62,6 +62,11 @@ class Wheel(Actuator):
         return bool(state.actuators.floats[WHEEL_TARGET][k])
 
     @classmethod
+    def commanded_motion(cls, k: int, state: State) -> tuple[float, float]:
+        speed, track = (state.actuators.floats[column][k] for column in (WHEEL_TARGET, TRACK))
+        return speed / 2.0, speed / track
+
+    @classmethod
     def display_kind(cls, values: Values) -> DisplayKind:
         return "wheels"
 

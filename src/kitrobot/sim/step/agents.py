@@ -26,7 +26,9 @@ from kitrobot.sim.tables.columns import (
     MUTED,
     ORIGIN,
     SINCE,
+    SPEED,
     TICK,
+    TURN,
     WELL,
     WIDTH,
     X,
@@ -155,6 +157,24 @@ class Agent:
         """Whether its motors were told to turn last; its program may have ended."""
         state = self.state
         return any(KINDS[state.actuators.ints[A_KIND][k]].is_driving(k, state) for k in self._actuators)
+
+    @property
+    def commanded_motion(self) -> tuple[float, float]:
+        """How its program told its motors to move it last: mm/s forward, rad/s to the left; 0 once it failed.
+
+        A distance is driven at the speed that each step has; a road turns whoever follows it by itself.
+        """
+        state = self.state
+        if self.down == FAILED:
+            return 0.0, 0.0
+        motions = [KINDS[state.actuators.ints[A_KIND][k]].commanded_motion(k, state) for k in self._actuators]
+        return float(sum(speed for speed, _ in motions)), float(sum(rate for _, rate in motions))
+
+    @property
+    def motion(self) -> tuple[float, float]:
+        """How its wheels move it now: mm/s forward, rad/s to the left."""
+        state, i = self.state, self.index
+        return float(state.robots.floats[SPEED][i]), float(state.robots.floats[TURN][i] / state.fixed_floats[DT])
 
     @property
     def full_house(self) -> int:

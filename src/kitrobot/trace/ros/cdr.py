@@ -10,10 +10,11 @@ from __future__ import annotations
 import struct
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
-import numpy as np
-from numpy.typing import NDArray
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 ENCAPSULATION: Final = b"\x00\x01\x00\x00"
 
@@ -24,7 +25,7 @@ _SIZES: Final = {"d": 8, "i": 4, "I": 4, "B": 1}
 class CdrLayout:
     """A message whose strings and lengths never change: numbers are put between them, into one message or into many.
 
-    Fields are named in order with `text`, `length` and `numbers`.
+    Fields are named in order with `text`, `length`, `numbers` and `zeros`.
     """
 
     def __init__(self) -> None:
@@ -37,6 +38,13 @@ class CdrLayout:
         for kind in kinds:
             self._align(_SIZES[kind])
             self._numbers.append((len(self._bytes), f"<{kind}"))
+            self._bytes += bytes(_SIZES[kind])
+        return self
+
+    def zeros(self, kinds: str) -> CdrLayout:
+        """Numbers that are 0 in each message."""
+        for kind in kinds:
+            self._align(_SIZES[kind])
             self._bytes += bytes(_SIZES[kind])
         return self
 
@@ -71,6 +79,8 @@ class CdrLayout:
         Raises:
             ValueError: there are more or fewer columns than the layout has numbers.
         """
+        import numpy as np  # Messages of a run that is on need none of it.
+
         messages = np.tile(np.frombuffer(self._bytes, np.uint8), (len(numbers), 1))
         for (place, kind), column in zip(self._numbers, numbers.T, strict=True):
             data = column.astype(kind)

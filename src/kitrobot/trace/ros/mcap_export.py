@@ -15,9 +15,8 @@ robots are the metadata `kitrobot`. The same recording gives the same bytes.
 from __future__ import annotations
 
 import json
-import math
 import struct
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any, Final
 
 import numpy as np
@@ -30,14 +29,13 @@ from kitrobot.trace.model import POSE_WORDS, TEAM, Threads, TickRecord, TraceErr
 from kitrobot.trace.reader import TraceReader
 from kitrobot.trace.ros.cdr import CdrLayout, encode_text, encode_texts
 from kitrobot.trace.ros.mcap_writer import McapWriter
+from kitrobot.trace.ros.messages import split_time, transforms, turn_of
 from kitrobot.trace.ros.schemas import INFO, WARN, schema_text
-from kitrobot.trace.ros.topics import distinct_parts, topic_part
+from kitrobot.trace.ros.topics import robot_parts, topic_part
 
-FRAME: Final = "map"
 _POSE: Final = POSE_WORDS[:3]
 _GRAVE: Final = frozenset(("collision", "failure", "outside"))
 """Kinds of events that are warnings in `/rosout`."""
-_OUR_TOPICS: Final = ("team", "tf", "events", "rosout")
 _MOST_STANDINGS: Final = 10_000
 _TOLD_TICKS: Final = 500
 """Ticks between two reports of progress: drawing a bar takes as long as writing some."""
@@ -109,8 +107,7 @@ class _Export:
     def __init__(self, writer: McapWriter, header: TraceHeader) -> None:
         self._writer, self._header = writer, header
         self._topics = _Topics(writer)
-        # A robot may be called like a topic of ours.
-        parts = distinct_parts([*_OUR_TOPICS, *(agent.name for agent in header.agents)])
+        parts = robot_parts(agent.name for agent in header.agents)
         self._parts = {agent.name: parts[agent.name] for agent in header.agents}
         self._robots = [self._parts[agent.name] for agent in header.agents]
         self._scales = np.array([column.scale for column in header.columns])
@@ -118,7 +115,7 @@ class _Export:
         placed = [agent.name for agent in header.agents if agent.name not in header.unplaced]
         self._poses = np.array([[places[name, word] for word in _POSE] for name in placed], int).reshape(-1, 3)
         """Of each robot that has a place the columns of x, y and heading."""
-        self._tf = _transforms([self._parts[name] for name in placed])
+        self._tf = transforms([self._parts[name] for name in placed])
         values = [at for at, column in enumerate(header.columns) if column.owner == TEAM or column.name not in _POSE]
         self._values = np.array(values, int)
         """The other columns, and of each the channel."""
@@ -144,7 +141,7 @@ class _Export:
     def write(self, record: TickRecord) -> None:
         """Writes what is new in a record."""
         nanoseconds = record.tick * self._header.tick_ms * 1_000_000
-        stamp = _stamp(nanoseconds)
+        stamp = split_time(nanoseconds)
         if record.numbers != self._numbers:
             self._waiting += self._row.pack(*record.numbers)
             self._times.append(nanoseconds)
@@ -183,7 +180,7 @@ class _Export:
         numbers[..., 2:4] = poses[..., :2] / 1000
         # The sines of NumPy are others on other processors.
         headings, which = np.unique(poses[..., 2], return_inverse=True)
-        turns = np.array([(math.sin(heading / 2), math.cos(heading / 2)) for heading in headings.tolist()])
+        turns = np.array([turn_of(heading) for heading in headings.tolist()])
         numbers[..., 7:] = turns[which.reshape(poses.shape[:2])]
         channel = self._topics.channel("/tf", "tf2_msgs/msg/TFMessage")
         self._writer.add_messages(channel, times, self._tf.encode_rows(numbers.reshape(len(poses), -1)))
@@ -211,7 +208,7 @@ class _Export:
             self._topics.write(f"/{robot}/active", "std_msgs/msg/String", nanoseconds, data)
 
     def _write_event(self, event: TraceEvent, nanoseconds: int) -> None:
-        stamp = _stamp(nanoseconds)
+        stamp = split_time(nanoseconds)
         name = "" if event.agent < 0 else self._header.agents[event.agent].name
         texts = (event.kind, name, event.cause, str(event.text))
         self._topics.write("/events", "kitrobot_msgs/msg/Event", nanoseconds, encode_texts(stamp, texts))
@@ -229,15 +226,3 @@ class _Export:
         self._writer.add_metadata(
             "kitrobot", {name: json.dumps(fact, ensure_ascii=False, sort_keys=True) for name, fact in facts.items()}
         )
-
-
-def _stamp(nanoseconds: int) -> tuple[int, int]:
-    return divmod(nanoseconds, 1_000_000_000)
-
-
-def _transforms(robots: Sequence[str]) -> CdrLayout:
-    """Where the robots are as a `TFMessage`; of each x, y, z and a quaternion."""
-    transforms = CdrLayout().length(len(robots))
-    for robot in robots:
-        transforms.numbers("iI").text(FRAME).text(robot).numbers("d" * 7)
-    return transforms

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from typing import Final
 
+_OUR_TOPICS: Final = ("team", "tf", "events", "rosout", "clock", "diagnostics", "kitrobot")
 _OTHER = re.compile(r"[^A-Za-z0-9_]+")
 
 
@@ -25,3 +27,8 @@ def distinct_parts(names: Iterable[str]) -> Mapping[str, str]:
         taken.add(part)
         parts[name] = part
     return parts
+
+
+def robot_parts(robots: Iterable[str]) -> Mapping[str, str]:
+    """Of each robot the part of a topic that stands for it. A robot may be called like a topic of ours."""
+    return distinct_parts([*_OUR_TOPICS, *robots])
