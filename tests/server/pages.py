@@ -78,8 +78,9 @@ class Watcher:
             said = self.next()
             if said["type"] == kind and all(said[name] == value for name, value in fields.items()):
                 return said
-            # Nothing follows them: a test that waits for a start would wait for ever.
+            # Nothing follows them: a test that waits for a start, or for another tick, would wait for ever.
             assert kind != "started" or said["type"] not in ("problems", "error"), said
+            assert kind != "tick" or said.get("status", "running") in ("running", "paused"), said
 
     def start(self, mission, path="", seed=1, speed=0.0) -> dict[str, Any]:
         self.send(type="start", mission=mission, path=path, seed=seed, speed=speed)
