@@ -202,10 +202,11 @@ def test_the_last_message_arrives_and_then_the_node_leaves(neighbour: Any) -> No
     bridge = RosBridge(simulation, RosNetwork(DOMAIN, endpoint))
     session, here = neighbour(endpoint), RosNode(DOMAIN, "0", "test")
     heard: list[Any] = []
-    last, left = Event(), Event()
+    first, last, left = Event(), Event(), Event()
 
     def add(sample: Any) -> None:
         heard.append(TYPES.deserialize_cdr(bytes(sample.payload), kind))
+        first.set()
         if heard[-1].header.stamp.sec:
             last.set()
 
@@ -215,7 +216,9 @@ def test_the_last_message_arrives_and_then_the_node_leaves(neighbour: Any) -> No
 
     session.declare_subscriber(here.topic_key("/diagnostics", kind), add)
     session.liveliness().declare_subscriber(f"@ros2_lv/{DOMAIN}/*/0/0/NN/%/%/kitrobot", leave, history=True)
-    bridge.publish()
+    # The router learns of a subscription some time after it is made.
+    while not first.wait(0.05):
+        bridge.publish()
     simulation.inject_fault("second", "stall")
     simulation.inject_fault("third", "fail")
     while simulation.outcome is None:
