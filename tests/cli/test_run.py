@@ -250,6 +250,7 @@ def test_an_endpoint_for_ros_that_is_taken_or_none_is_told_with_a_way_out(kitrob
         said = [kitrobot("run", short, "--ros", 7, "--ros-listen", one) for one in (endpoint, "nowhere", "")]
     assert [(one.status, one.out) for one in said] == [(1, "")] * 3
     assert all("the network cannot be opened" in one.err for one in said)
+    assert not any(".rs" in one.err or "Message {" in one.err for one in said), "where it says so is its own affair"
     assert f"`--ros-router {endpoint}`" in said[0].err
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping
 from contextlib import suppress
 from threading import Thread
@@ -46,8 +47,13 @@ def open_session(settings: Mapping[str, Any], missing: Sentence, way_out: Senten
             config.insert_json5(name, json.dumps(value))
         return zenoh, zenoh.open(config)
     except Exception as error:  # Zenoh's own errors have no class of their own that all versions share.
-        first = str(error).strip().partition("\n")[0][:200]
-        raise FleetError(Sentence("the network cannot be opened: {why}", first), way_out) from error
+        raise FleetError(Sentence("the network cannot be opened: {why}", _reason(error)), way_out) from error
+
+
+def _reason(error: Exception) -> str:
+    """What Zenoh says, without the lines of its source and the type of the error in it."""
+    first = str(error).strip().partition("\n")[0]
+    return re.sub(r'^\w+\(Message \{ msg: "| at /.*', "", first)[:200]
 
 
 def close_session(session: Any) -> None:
