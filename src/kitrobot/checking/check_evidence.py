@@ -146,8 +146,9 @@ def collect_check_evidence(
     wanted = tuple(dict.fromkeys(goal.property for goal in goals))
     own = {goal.property: replace(goal.asked, name=goal.property) for goal in goals if goal.asked is not None}
     options = VerificationOptions(
-        tuple(name for name in wanted if name not in own),
-        *((Timing(like.timing),), like.failures),
+        properties=tuple(name for name in wanted if name not in own),
+        timings=(Timing(like.timing),),
+        failures=like.failures,
         states=like.states,
         seconds=None,
         stop=stop,

@@ -129,13 +129,11 @@ def make_preview(opened: OpenMission, seconds: float = MOST_S, hands: Sequence[H
     return _preview_of(run, chosen, drawing, 0, TICKS_A_POINT * apart)
 
 
-def record_stretch(run: Simulation, first: int, last: int) -> tuple[Preview, list[Event]]:
+def record_stretch(run: Simulation, first: int, last: int, apart: int) -> tuple[Preview, list[Event]]:
     """Records a run between two of its steps, and what happened from there on; it stands before its first step.
 
-    A preview of `MOST_STRETCH` frames at most, the same number of steps apart (`stretch_apart`); fewer where the run
-    ends sooner.
+    `apart`: how many steps lie between two frames (`stretch_apart`). There are fewer frames where the run ends sooner.
     """
-    apart = stretch_apart(first, last, len(run.members))
     drawing = Drawing(pens_of(run.members))
     while run.tick < first and run.outcome is None:
         run.advance(first - run.tick)

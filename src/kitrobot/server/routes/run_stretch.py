@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from kitrobot.checking.verification import RUN_S
 from kitrobot.diagnostics.model import KitRobotError
 from kitrobot.server.routes.api_router import ThisStudio, api_router
 from kitrobot.text.sentences import Sentence
@@ -9,9 +10,6 @@ from kitrobot.wire.mission import mission_from_shape
 from kitrobot.wire.run_stretch import RunStretchAskShape, RunStretchShape, run_stretch_shape
 from kitrobot.workspace.mission_run import RunOptions
 from kitrobot.workspace.previews import record_stretch, stretch_apart
-
-RUN_S = 600.0
-"""Simulated seconds of a run, as in a check."""
 
 run_stretch_routes = api_router()
 
@@ -25,6 +23,6 @@ def run_stretch(studio: ThisStudio, wanted: RunStretchAskShape) -> RunStretchSha
     opened = studio.open(mission_from_shape(wanted.mission), wanted.path)
     run = opened.prepare(RunOptions(wanted.seed, RUN_S)).simulation
     tick_s = run.tick_ms / 1000
-    frame_s = stretch_apart(first, last, len(run.members)) * tick_s
-    preview, events = record_stretch(run, first, last)
-    return run_stretch_shape(opened, preview, events, first, frame_s, tick_s, run.sentence)
+    apart = stretch_apart(first, last, len(run.members))
+    preview, events = record_stretch(run, first, last, apart)
+    return run_stretch_shape(opened, preview, events, first, apart * tick_s, tick_s, run.sentence)

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from kitrobot.checking.mission_walk import begin_walk
+from kitrobot.checking.verification import RUN_S
 from kitrobot.server.routes.api_router import ThisStudio, api_router
 from kitrobot.verifier.model.table_builder import KINDS
 from kitrobot.wire.mission import mission_from_shape
 from kitrobot.wire.state_walk import StateWalkAskShape, StateWalkShape, state_walk_shape
 from kitrobot.workspace.mission_run import RunOptions
-
-RUN_S = 600.0
-"""Simulated seconds of a run of the mission: setting it up needs a limit."""
 
 state_walk_routes = api_router()
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import ClassVar
 
 from kitrobot.checking.background_check import verify_apart
-from kitrobot.checking.verification import VerificationOptions
+from kitrobot.checking.verification import RUN_S, VerificationOptions
 from kitrobot.server.routes.websocket_jobs import WebSocketJob
 from kitrobot.text.sentences import Sentence
 from kitrobot.verifier.model.table_builder import KINDS
@@ -20,9 +20,6 @@ from kitrobot.wire.verification import (
     verify_message,
 )
 from kitrobot.workspace.mission_run import RunOptions
-
-RUN_S = 600.0
-"""Simulated seconds of each run in which the simulator looks for what the model found."""
 
 
 class _Verification(WebSocketJob):
