@@ -43,8 +43,8 @@ export function BothWays(props: Props) {
   const world = useWorldOf(asked.mission);
   const span = useMemo(() => spanOf(answer), [answer]);
   const [refused, setRefused] = useState("");
-  const ask = useCallback(() => recordWays(asked, answer, span), [asked, answer, span]);
-  const recorded = useFetched(ask, (cause): Recorded => {
+  const record = useCallback(() => recordWays(asked, answer, span), [asked, answer, span]);
+  const recorded = useFetched(record, (cause): Recorded => {
     setRefused(failureWords(cause));
     return { broken: null, kept: null };
   });
@@ -84,7 +84,7 @@ export function BothWays(props: Props) {
             {t("check.both-coming")}
           </p>
         ) : (
-          <Ways {...props} world={world} span={span} recorded={recorded} />
+          <WayComparison {...props} world={world} span={span} recorded={recorded} />
         )}
       </div>
     </Sheet>,
@@ -92,13 +92,20 @@ export function BothWays(props: Props) {
   );
 }
 
-interface WaysProps extends Props {
+interface WayComparisonProps extends Props {
   world: World;
   span: Span | null;
   recorded: Recorded;
 }
 
-function Ways({ answer, other, asked: { mission }, world, span, recorded: { broken, kept } }: WaysProps) {
+function WayComparison({
+  answer,
+  other,
+  asked: { mission },
+  world,
+  span,
+  recorded: { broken, kept },
+}: WayComparisonProps) {
   const decided = answer.why?.step ?? 0;
   const keptRun = otherRun(other);
   const moments = momentsFrom([answer, keptRun], decided);
@@ -138,8 +145,8 @@ function Ways({ answer, other, asked: { mission }, world, span, recorded: { brok
       onKeyDown={(event) => stepByKey(event, steps)}
     >
       <div className="check-both fill">
-        <Way {...shared} name="broken" run={answer} stretch={broken} title={broke} ending={isBroken ? why : ""} />
-        <Way
+        <WayArena {...shared} name="broken" run={answer} stretch={broken} title={broke} ending={isBroken ? why : ""} />
+        <WayArena
           {...shared}
           name="kept"
           run={keptRun}
@@ -175,7 +182,7 @@ function noteOf({ why, confirmed }: CheckedProperty, broken: RunStretch | null, 
   return t("check.kept-waits", { agent, time, seconds: decimal(run.delay_s) });
 }
 
-interface WayProps {
+interface WayArenaProps {
   name: "broken" | "kept";
   run: ModelRun;
   stretch: RunStretch | null;
@@ -193,7 +200,20 @@ interface WayProps {
   box: Parameters<typeof useRunCanvas>[0]["box"];
 }
 
-function Way({ name, run, stretch, title, note = "", ending, mission, world, step, at, parting, box }: WayProps) {
+function WayArena({
+  name,
+  run,
+  stretch,
+  title,
+  note = "",
+  ending,
+  mission,
+  world,
+  step,
+  at,
+  parting,
+  box,
+}: WayArenaProps) {
   const scene = sceneAt(run, step);
   if (stretch === null && scene === null) return null;
   const isOver = name === "broken" && ending !== "";
@@ -237,7 +257,7 @@ function Way({ name, run, stretch, title, note = "", ending, mission, world, ste
   );
 }
 
-type StretchProps = Pick<WayProps, "world" | "box" | "at"> & { stretch: RunStretch };
+type StretchProps = Pick<WayArenaProps, "world" | "box" | "at"> & { stretch: RunStretch };
 
 /** A run of the simulator at a moment. */
 function StretchArena({ stretch, world, box, at }: StretchProps) {
