@@ -38,8 +38,15 @@ export default defineConfig({
     setupFiles: ["src/testing/english.ts"],
     alias: [{ find: /^zustand$/, replacement: `${import.meta.dirname}/src/testing/zustand.ts` }],
     passWithNoTests: false,
-    // Thousands of random edits take a second alone, and several where the machine has much else to do.
-    testTimeout: 60_000,
+    // It ends only what hangs: thousands of random edits take a second alone, and a minute where the machine has much else to do.
+    testTimeout: 300_000,
+    // Not intervals: jsdom draws its frames by one, and would draw no more when it began it in a test's own time.
+    fakeTimers: {
+      toFake: [
+        ...(["Date", "performance", "setTimeout", "clearTimeout", "setImmediate", "clearImmediate"] as const),
+        ...(["requestAnimationFrame", "cancelAnimationFrame", "requestIdleCallback", "cancelIdleCallback"] as const),
+      ],
+    },
     maxWorkers: 2,
     // One jsdom for each worker: making one takes longer than most files of tests.
     isolate: false,

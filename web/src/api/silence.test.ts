@@ -7,7 +7,7 @@ const tell = vi.fn<(silent: boolean) => void>();
 let silence: Silence;
 
 beforeEach(() => {
-  vi.useFakeTimers();
+  vi.useFakeTimers({ toFake: ["setInterval", "clearInterval"] });
   silence = watchSilence(ask, tell);
 });
 afterEach(() => {

@@ -2,7 +2,7 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
 import * as client from "../../api/client";
-import type { MissionEntry } from "../../api/generated";
+import type { MissionEntry, RunPreview, World } from "../../api/generated";
 import { moreWords } from "../../i18n/words";
 import { useStudio } from "../../model/studio";
 import { CARRIER, fileOf, missionOf } from "../../model/testing/missions";
@@ -27,6 +27,10 @@ function entry(name: string, level: number, topic: string, robots: string[]): Mi
     example,
   };
 }
+const ROOM: World = {
+  ...{ name: "w", width_mm: 9, height_mm: 9, walls: [], floors: [], lines: [], roads: [] },
+  ...{ docks: [], storehouses: [], starts: [] },
+};
 const EXAMPLES = [
   entry("square", 1, "moving", ["carrier"]),
   entry("blink", 1, "lights", ["microbit"]),
@@ -101,9 +105,10 @@ it("are found by words; Escape empties the field, and the arrows lead from it to
 });
 
 it("a picture is fetched as it comes into sight and moves while it is seen, unless somebody wants it still", async () => {
-  const world = fileOf(missionOf(CARRIER)).world;
-  const place = world ?? { name: "w", width_mm: 9, height_mm: 9, walls: [], floors: [], lines: [], roads: [] };
-  const preview = { world: place, frames: 9, agents: [], poses: "", program: null, marks: [] };
+  const preview: RunPreview = {
+    ...{ world: ROOM, seconds: 1, frames: 9, agents: [], ways: [], program: null },
+    ...{ shown: [], stock: [], things: [], pens: [], marks: [] },
+  };
   const ask = vi.spyOn(client, "ask").mockResolvedValue(preview);
   const pen = { setTransform: vi.fn() };
   vi.spyOn(HTMLCanvasElement.prototype, "getContext").mockReturnValue(pen as never);
