@@ -62,11 +62,11 @@ def test_both_are_the_same_up_to_there_and_the_schedule_of_a_mission_gives_the_r
     assert confirmed is not None
     fresh = prepared.spec.simulation
     first, last, tick_s = kept.tick - 20, confirmed.tick, fresh().tick_ms / 1000
-    broken, _ = record_stretch(fresh(kept.seed), first, last)
+    broken, _ = record_stretch(fresh(kept.seed), first, last, 1)
     failures = [Failure(one.agent, one.tick * tick_s, FailureKind(one.kind)) for one in kept.faults]
     opened = prepared.opened
     scheduled = replace(opened, mission=replace(opened.mission, failures=failures))
-    other, events = record_stretch(scheduled.prepare(RunOptions(kept.seed, 600.0)).simulation, first, last)
+    other, events = record_stretch(scheduled.prepare(RunOptions(kept.seed, 600.0)).simulation, first, last, 1)
     assert broken.frames == other.frames == last - first + 1
     together = [pose_at(broken, frame) == pose_at(other, frame) for frame in range(broken.frames)]
     assert together[:20] == [True] * 20

@@ -32,12 +32,22 @@ class KeptRun(ConfirmedRun):
     Attributes:
         delayed: the agent that waits there; "" where the run lacks failures of the broken one instead.
         delay: how many steps of the simulator it waits.
-        ends_well: whether the run ends as *done*.
+        outcome: how the run ends; None where it was judged before its end, so that nobody knows.
     """
 
     delayed: str = ""
     delay: int = 0
-    ends_well: bool = False
+    outcome: str | None = None
+
+    @property
+    def ends_well(self) -> bool:
+        """Whether the run ends as *done*."""
+        return self.outcome == "done"
+
+    @property
+    def rank(self) -> int:
+        """2 if the run ends well, 1 if nobody knows, else 0."""
+        return 2 if self.ends_well else 1 if self.outcome is None else 0
 
     def to_json(self, tick_ms: int) -> dict[str, Any]:
         """As plain values; `tick_ms`: a step of the simulator."""
@@ -57,7 +67,7 @@ def find_kept_run(
     fresh: Callable[[int], Simulation],
     stop: Callable[[], bool],
 ) -> KeptRun | None:
-    """The first of these runs that keeps the property, best one that ends as *done*; None where none does.
+    """A run that keeps the property: one with fewer failures, else one with a wait, best one that ends as *done*.
 
     Args:
         one: the property.
@@ -67,38 +77,63 @@ def find_kept_run(
         fresh: makes the run of a seed, before its first step; it needs a time limit.
         stop: polled now and then; True stops the search.
     """
-    kept: KeptRun | None = None
-    left = _MOST_RUNS
-    waits = _waits(confirmed, moment, agents[:_MOST_AGENTS], fresh(confirmed.seed).tick_ms)
-    for group in (*([each] for each in _fewer_failures(confirmed)), *waits):
-        is_settled = False
-        for number, candidate in enumerate(group):
-            if left == 0 or stop():
-                return kept
-            left -= 1
-            run = fresh(confirmed.seed)
-            judged = judge_run(one, run, candidate.faults, stop)
-            if judged.is_broken is False:
-                candidate = replace(candidate, ends_well=run.outcome == "done")
-                kept = _better(kept, candidate)
-                # Where it was kept before the run ended nobody knows how it ends.
-                is_settled = candidate.ends_well or run.outcome is None or not candidate.delayed
-                if is_settled and number > 0:
-                    return kept
-            elif number == 0 and judged.tick == confirmed.tick:
-                # Not even the longest wait changes anything, as where an arm swings on.
-                break
-        if is_settled or (kept is not None and kept.ends_well):
-            return kept
-    return kept
+    trials = _Trials(one, confirmed, fresh, stop)
+    for candidate in _fewer_failures(confirmed):
+        if trials.judge(candidate) is not None:
+            return trials.kept
+    for waits in _waits(confirmed, moment, agents[:_MOST_AGENTS], fresh(confirmed.seed).tick_ms):
+        trials.judge_waits(waits)
+        if trials.kept is not None and trials.kept.rank > 0:
+            break
+    return trials.kept
 
 
-def _better(kept: KeptRun | None, other: KeptRun) -> KeptRun:
-    """Of two the one that ends well, then the one that parts later, then the one that waits less."""
-    if kept is None or other.ends_well > kept.ends_well:
-        return other
-    is_shorter = (other.tick, other.delayed) == (kept.tick, kept.delayed) and other.delay < kept.delay
-    return other if is_shorter and other.ends_well == kept.ends_well else kept
+class _Trials:
+    """Judges candidates, at most `_MOST_RUNS`.
+
+    Attributes:
+        kept: the best one that keeps the property: of those that end equally well the first, with its shortest wait.
+        broken_at: the step in which the last one that was judged breaks it; None where it does not.
+    """
+
+    def __init__(
+        self, one: Property, confirmed: ConfirmedRun, fresh: Callable[[int], Simulation], stop: Callable[[], bool]
+    ) -> None:
+        self.kept: KeptRun | None = None
+        self.broken_at: int | None = None
+        self._one, self._confirmed, self._fresh, self._stop = one, confirmed, fresh, stop
+        self._left = _MOST_RUNS
+
+    def judge(self, candidate: KeptRun) -> KeptRun | None:
+        """The run with its outcome if it keeps the property, else None."""
+        if self._left == 0 or self._stop():
+            return None
+        self._left -= 1
+        run = self._fresh(candidate.seed)
+        judged = judge_run(self._one, run, candidate.faults, self._stop)
+        self.broken_at = judged.tick if judged.is_broken else None
+        if judged.is_broken is not False:
+            return None
+        found, best = replace(candidate, outcome=run.outcome), self.kept
+        if best is None or found.rank > best.rank or (found.rank == best.rank and _is_shorter(found, best)):
+            self.kept = found
+        return found
+
+    def judge_waits(self, waits: Sequence[KeptRun]) -> None:
+        """Judges the waits of an agent from one moment on, the longest first, until a shorter one is good enough."""
+        longest, *shorter = waits
+        if self.judge(longest) is None and self.broken_at == self._confirmed.tick:
+            # Not even the longest wait changes anything, as where an arm swings on.
+            return
+        for wait in shorter:
+            found = self.judge(wait)
+            if found is not None and found is self.kept and found.rank > 0:
+                return
+
+
+def _is_shorter(one: KeptRun, other: KeptRun) -> bool:
+    """Whether it is the same wait, but shorter."""
+    return (one.tick, one.delayed) == (other.tick, other.delayed) and one.delay < other.delay
 
 
 def _fewer_failures(confirmed: ConfirmedRun) -> Iterator[KeptRun]:
