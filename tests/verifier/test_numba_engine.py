@@ -8,10 +8,11 @@ import weakref
 import pytest
 
 from kitrobot.sim.jit.table_pointer import TablePointer
+from kitrobot.verifier.exploration import state_filter, step_batches
 from kitrobot.verifier.exploration.approximate_search import ApproximateSpace
 from kitrobot.verifier.exploration.engines import FUNCTIONS, PLAIN, ArrayGraph, ArrayTables, array_engine
 from kitrobot.verifier.exploration.exploration import fresh_graph
-from kitrobot.verifier.exploration.numba_engine import samples
+from kitrobot.verifier.exploration.numba_engine import cache_folder, samples
 from kitrobot.verifier.model.abstraction import abstract_run
 from kitrobot.verifier.model.model import Model
 from kitrobot.verifier.tables.dynamic_arrays import grow_table
@@ -54,3 +55,11 @@ def test_arrays_that_were_replaced_by_longer_ones_are_gone_at_once() -> None:
         gc.enable()
     assert isinstance(longer_tables, ArrayTables)
     assert isinstance(longer_graph, ArrayGraph)
+
+
+def test_what_is_kept_is_only_for_these_very_numbers(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Numba compiles in what a function takes from another module."""
+    folder = cache_folder()
+    assert folder == cache_folder()
+    monkeypatch.setattr(state_filter, "WINDOW", step_batches.WINDOW + 1)
+    assert cache_folder() != folder

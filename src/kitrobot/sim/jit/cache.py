@@ -25,6 +25,7 @@ from collections.abc import Callable, Iterable
 from contextlib import suppress
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
+from types import ModuleType
 from typing import Any, Generic, TypeVar
 
 from kitrobot.files.file_lock import FileLock
@@ -210,15 +211,22 @@ def njit(folder: Path, functions: Iterable[Callable[..., Any]]) -> list[Any]:
         config.CACHE_DIR = kept
 
 
-def folder_of(begin: str, sources: Iterable[Path], *more: str) -> Path:
-    """A folder in the cache whose name is a digest: of these sources, of what compiles them, and of more.
+def folder_of(begin: str, functions: Iterable[Callable[..., Any]], modules: Iterable[ModuleType], *more: str) -> Path:
+    """A folder in the cache whose name is a digest: of the modules of these functions and the numbers that they take
+    from others, of these modules, of what compiles them, and of more.
 
     So nothing stale is ever taken.
     """
+    names, texts = {module.__name__ for module in modules}, [*more]
+    for function in functions:
+        used = globals_of(function).items()
+        names |= {function.__module__, *(value.__name__ for _, value in used if isinstance(value, ModuleType))}
+        numbers = [(name, value) for name, value in used if isinstance(value, int | float | tuple)]
+        texts.append(f"{function.__name__} {sorted(numbers)}")
     digest = hashlib.sha256()
-    for source in sorted({*sources, *_SOURCES}):
+    for source in sorted({*_SOURCES, *(Path(str(sys.modules[name].__file__)) for name in names)}):
         digest.update(str(source).encode() + source.read_bytes())
-    for text in more:
+    for text in texts:
         digest.update(text.encode())
     for package in ("numba", "llvmlite", "numpy"):
         try:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from kitrobot.sim.jit.cache import CALLED, Compilation, folder_of, functions_called, globals_of, njit
+from kitrobot.sim.jit.cache import CALLED, Compilation, folder_of, functions_called, njit
 
 Advance = Callable[[Any, int], int]
 
@@ -27,14 +27,7 @@ def cache_folder() -> Path:
     from kitrobot.sim.tables import state
 
     functions = [step_loop.advance, *loops().values()]
-    modules = {__name__, arrays.__name__, base.__name__, state.__name__, *(one.__module__ for one in functions)}
-    numbers = []
-    for function in functions:
-        used = sorted(globals_of(function).items())
-        kept = [(name, value) for name, value in used if isinstance(value, int | float | tuple)]
-        numbers.append(f"{function.__name__} {kept}")
-    sources = [Path(str(sys.modules[name].__file__)) for name in modules]
-    return folder_of("step", sources, dispatch.SOURCE, *numbers)
+    return folder_of("step", functions, [sys.modules[__name__], arrays, base, state], dispatch.SOURCE)
 
 
 def _build(folder: Path) -> Advance:

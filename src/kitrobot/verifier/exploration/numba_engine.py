@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from kitrobot.sim.jit.cache import CALLED, Compilation, folder_of, functions_called, njit
 from kitrobot.sim.jit.table_pointer import TablePointer
-from kitrobot.verifier.exploration import engines
+from kitrobot.verifier.exploration import engines, fairness
 from kitrobot.verifier.exploration.fairness import MASKS, ComponentSearch
+from kitrobot.verifier.tables import tables
 from kitrobot.verifier.tables.tables import StateFilter, StepBatch
 
 _INLINED = frozenset(
@@ -39,7 +41,8 @@ def compiled_functions() -> dict[str, Callable[..., Any]]:
 
 def cache_folder() -> Path:
     """The cache folder of the functions compiled for this machine."""
-    return folder_of("step-check", Path(__file__).parents[1].rglob("*.py"))
+    functions = [*engines.FUNCTIONS.values(), *compiled_functions().values()]
+    return folder_of("step-check", functions, [sys.modules[__name__], engines, fairness, tables])
 
 
 def _build(folder: Path) -> engines.Engine:
@@ -72,9 +75,9 @@ def samples() -> dict[str, tuple[Any, ...]]:
     numbers: Any = np.zeros(1, np.int32)
     marks: Any = np.zeros(1, np.uint8)
     kinds: dict[str, Any] = {"x": words, "y": words, "taken": np.zeros(1, np.uint16)}
-    tables: list[Any] = [words] * len(engines.ArrayTables._fields)
+    columns: list[Any] = [words] * len(engines.ArrayTables._fields)
     rows: list[Any] = [words if name in MASKS else numbers for name in ComponentSearch._fields]
-    t = engines.ArrayTables(*tables).pointer
+    t = engines.ArrayTables(*columns).pointer
     g = engines.ArrayGraph(*(kinds.get(name, numbers) for name in engines.ArrayGraph._fields)).pointer
     s = TablePointer(ComponentSearch(*rows))
     b = TablePointer(StepBatch(words, words, words, words, numbers, numbers, numbers, numbers, marks, words, words))
