@@ -158,10 +158,19 @@ def _visit(page: Page, address: str, which: str, found: Found) -> None:
 
 
 def _change(page: Page) -> None:
-    """Removes a vertex, and waits until undo would bring it back."""
-    page.locator(".canvas-node .vertex").nth(1).click()
+    """Removes a vertex by the mouse and a key, and waits until undo would bring it back.
+
+    What Playwright asks of an element before it clicks would take time in the page too.
+    """
+    at = page.evaluate(
+        """() => {
+          const { x, y, width, height } = document.querySelectorAll(".canvas-node .vertex")[1].getBoundingClientRect();
+          return [x + width / 2, y + height / 2];
+        }"""
+    )
+    page.mouse.click(*at)
     page.keyboard.press("Delete")
-    page.wait_for_function("() => document.querySelector('[data-testid=undo]')?.disabled === false", polling=20)
+    page.wait_for_function("() => document.querySelector('[data-testid=undo]')?.disabled === false", polling="raf")
 
 
 def _slow_visit(browser: Browser, address: str, found: Found) -> None:

@@ -24,7 +24,7 @@ from kitrobot.graph.model import Program
 from kitrobot.lll.parse_results import ParseResult
 from kitrobot.lll.parse_results import parse as parse_lll
 from kitrobot.lll.tree import Seq
-from kitrobot.mission.model import DEFAULT_SEED, Mission
+from kitrobot.mission.model import DEFAULT_RUN_S, DEFAULT_SEED, Mission
 from kitrobot.mission.writer import save, write_mission
 from kitrobot.primitives.catalogue import load_catalogue
 from kitrobot.primitives.robot import Robot
@@ -168,7 +168,7 @@ def probability(
     from kitrobot.workspace.mission_run import RunOptions
 
     opened = mission if isinstance(mission, OpenMission) else open_mission(mission)
-    prepared = opened.prepare(RunOptions(seed, limits.get("seconds", 600.0), fail_rate))
+    prepared = opened.prepare(RunOptions(seed, limits.get("seconds", DEFAULT_RUN_S), fail_rate))
     chosen = ProbabilityOptions(precision, confidence, at_least, limits.get("runs"), limits.get("jobs"))
     return find_probability(prepared, question, chosen, limits.get("progress"))
 
@@ -180,7 +180,7 @@ def rare_probability(
     *,
     fail_rate: float = 0.0,
     seed: int = DEFAULT_SEED,
-    seconds: float = 600.0,
+    seconds: float = DEFAULT_RUN_S,
     progress: Progress | None = None,
     **options: Any,
 ) -> RareProbability:
@@ -249,7 +249,7 @@ def judge(
 
     if isinstance(subject, (str, PathLike)) and is_trace(fspath(subject)):
         return judge_recording(Path(subject), questions, None if mission is None else opened(mission))
-    seed, seconds = limits.get("seed", DEFAULT_SEED), limits.get("seconds", 600.0)
+    seed, seconds = limits.get("seed", DEFAULT_SEED), limits.get("seconds", DEFAULT_RUN_S)
     prepared = opened(subject).prepare(RunOptions(seed, seconds, limits.get("fail_rate", 0.0)))
     chosen = judge_options(
         by,
@@ -295,7 +295,7 @@ def walk(
     if timing not in known:
         raise KitRobotError(Sentence("expected one of {known}, found {found}", listed(known), shown(str(timing))))
     opened = mission if isinstance(mission, OpenMission) else open_mission(mission)
-    return begin_walk(opened.prepare(RunOptions(DEFAULT_SEED, 600.0)), known[timing], failures)
+    return begin_walk(opened.prepare(RunOptions(DEFAULT_SEED, DEFAULT_RUN_S)), known[timing], failures)
 
 
 def parse(text: str, name: str = "program.lll") -> ParseResult:

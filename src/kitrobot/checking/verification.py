@@ -30,8 +30,6 @@ from kitrobot.verifier.report.storyboard import draw_scenes, find_culprits
 from kitrobot.workspace.child_processes import cores as usable_cores
 from kitrobot.workspace.mission_run import PreparedRun
 
-RUN_S = 600.0
-"""Simulated seconds of each run in which the simulator looks for what the model found, where nothing else is said."""
 MOST_FAILURES = 3
 """Failures in one run at most."""
 MEMORY = 2_000_000_000

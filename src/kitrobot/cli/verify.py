@@ -124,6 +124,7 @@ def verify_mission(
         return
     assert file is not None, "there is a file"
     from kitrobot.checking.verification import VerificationOptions, verify
+    from kitrobot.mission.model import DEFAULT_RUN_S, DEFAULT_SEED
     from kitrobot.verifier.model.timing import Timing
     from kitrobot.workspace.mission_loader import open_mission
     from kitrobot.workspace.mission_run import RunOptions
@@ -134,7 +135,7 @@ def verify_mission(
     wanted = read_kinds(failures, kinds)
     chosen = tuple(one for one in Timing if not timings or one.value in timings)
     names, asked = _read_properties(properties or ())
-    prepared = open_mission(file).prepare(RunOptions(1, 600.0))
+    prepared = open_mission(file).prepare(RunOptions(DEFAULT_SEED, DEFAULT_RUN_S))
     print_diagnostics(prepared.problems, prepared.sources)
     options = VerificationOptions(
         *(names, chosen, failures, wanted, most_states, seconds),

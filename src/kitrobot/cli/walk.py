@@ -60,6 +60,7 @@ def walk_states(
     is given, and nothing is asked.
     """
     from kitrobot.checking.mission_walk import begin_walk
+    from kitrobot.mission.model import DEFAULT_RUN_S, DEFAULT_SEED
     from kitrobot.verifier.model.timing import Timing
     from kitrobot.workspace.mission_loader import open_mission
     from kitrobot.workspace.mission_run import RunOptions
@@ -67,7 +68,7 @@ def walk_states(
     if timing not in {one.value for one in Timing}:
         raise typer.BadParameter(f"expected one of {', '.join(one.value for one in Timing)}", param_hint="'--timing'")
     wanted = read_kinds(failures, kinds)
-    prepared = open_mission(file).prepare(RunOptions(1, 600.0))
+    prepared = open_mission(file).prepare(RunOptions(DEFAULT_SEED, DEFAULT_RUN_S))
     print_diagnostics(prepared.problems, prepared.sources)
     walk = begin_walk(prepared, Timing(timing), failures, wanted)
     for word in filter(None, taken.replace(",", " ").split()):

@@ -25,6 +25,7 @@ from kitrobot.experiments.seeds import Seeds, read_seeds
 from kitrobot.experiments.toml_text import Plain, write_toml
 from kitrobot.experiments.variant import Value
 from kitrobot.files.disk import read_text
+from kitrobot.mission.model import DEFAULT_RUN_S
 from kitrobot.mission.writer import write_mission
 from kitrobot.sim.setup.limits import check_limits
 from kitrobot.text.json_text import to_json
@@ -61,7 +62,7 @@ class StudyRequest:
     table: Path | None = None
     is_zip: bool = False
     seeds: str = "1"
-    seconds: float = 600.0
+    seconds: float = DEFAULT_RUN_S
     fail_rate: float = 0.0
     measures: Sequence[str] = ()
     functions: Mapping[str, Function] | None = None

@@ -31,6 +31,9 @@ VERSION = 1
 DEFAULT_SEED = 1
 """Where chance begins in a run for which nothing else is said."""
 
+DEFAULT_RUN_S = 600.0
+"""Simulated seconds of a run for which nothing else is said."""
+
 ALL = "all"
 """A goal's stock: every box there is."""
 

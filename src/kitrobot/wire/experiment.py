@@ -11,6 +11,7 @@ from kitrobot.experiments.mission_studies import MissionStudy
 from kitrobot.experiments.study_rows import StudyRow, StudyRows
 from kitrobot.experiments.summary import Cell, PointSummary, summarise
 from kitrobot.experiments.sweep_command import resume_command
+from kitrobot.mission.model import DEFAULT_RUN_S
 from kitrobot.wire.job import WorkMessage, WorkRefusedMessage
 from kitrobot.wire.mission import MissionShape
 from kitrobot.wire.sentences import Clause, FileName
@@ -41,7 +42,7 @@ class ExperimentAskShape(BaseModel):
     axes: Annotated[list[ExperimentAxisShape], Field(max_length=MOST_AXES)]
     seeds: Text
     measures: Annotated[list[Text], Field(min_length=1, max_length=MOST_MEASURES)]
-    seconds: Annotated[float, Field(gt=0, le=LONGEST_S, allow_inf_nan=False)] = 600.0
+    seconds: Annotated[float, Field(gt=0, le=LONGEST_S, allow_inf_nan=False)] = DEFAULT_RUN_S
     fail_rate: Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)] = 0.0
 
 

@@ -27,7 +27,7 @@ from kitrobot.files.embedded_mission import read_carried
 from kitrobot.files.examples import find_mission
 from kitrobot.files.places import Places
 from kitrobot.graph.model import Program, empty_program
-from kitrobot.mission.model import DEFAULT_SEED, Agent, Mission, Team
+from kitrobot.mission.model import DEFAULT_RUN_S, DEFAULT_SEED, Agent, Mission, Team
 from kitrobot.mission.reader import read_mission
 from kitrobot.primitives.catalogue import Catalogue
 from kitrobot.primitives.image_name import ImageName
@@ -283,7 +283,7 @@ class OpenMission:
     def run(
         self,
         seed: int = DEFAULT_SEED,
-        seconds: float = 600.0,
+        seconds: float = DEFAULT_RUN_S,
         trace: str | PathLike[str] | None = None,
         progress: Progress | None = None,
         fail_rate: float = 0.0,

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from kitrobot.checking.verification import RUN_S
 from kitrobot.diagnostics.model import KitRobotError
+from kitrobot.mission.model import DEFAULT_RUN_S
 from kitrobot.server.routes.api_router import ThisStudio, api_router
 from kitrobot.text.sentences import Sentence
 from kitrobot.wire.mission import mission_from_shape
@@ -21,7 +21,7 @@ def run_stretch(studio: ThisStudio, wanted: RunStretchAskShape) -> RunStretchSha
     if last <= first:
         raise KitRobotError(Sentence("a stretch of a run ends after step {first}, not at step {last}", first, last))
     opened = studio.open(mission_from_shape(wanted.mission), wanted.path)
-    run = opened.prepare(RunOptions(wanted.seed, RUN_S)).simulation
+    run = opened.prepare(RunOptions(wanted.seed, DEFAULT_RUN_S)).simulation
     tick_s = run.tick_ms / 1000
     apart = stretch_apart(first, last, len(run.members))
     preview, events = record_stretch(run, first, last, apart)

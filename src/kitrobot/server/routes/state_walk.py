@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kitrobot.checking.mission_walk import begin_walk
-from kitrobot.checking.verification import RUN_S
+from kitrobot.mission.model import DEFAULT_RUN_S
 from kitrobot.server.routes.api_router import ThisStudio, api_router
 from kitrobot.verifier.model.table_builder import KINDS
 from kitrobot.wire.mission import mission_from_shape
@@ -16,7 +16,9 @@ state_walk_routes = api_router()
 @state_walk_routes.post("/walk")
 def walk_states(studio: ThisStudio, wanted: StateWalkAskShape) -> StateWalkShape:
     """Takes steps through the states of a mission from its first one on."""
-    prepared = studio.open(mission_from_shape(wanted.mission), wanted.path).prepare(RunOptions(wanted.seed, RUN_S))
+    prepared = studio.open(mission_from_shape(wanted.mission), wanted.path).prepare(
+        RunOptions(wanted.seed, DEFAULT_RUN_S)
+    )
     kinds = tuple(kind for kind in KINDS if kind.value in wanted.kinds)
     walk = begin_walk(prepared, wanted.timing, wanted.failures, kinds)
     for place in wanted.places:

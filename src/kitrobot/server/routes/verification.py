@@ -8,7 +8,8 @@ from __future__ import annotations
 from typing import ClassVar
 
 from kitrobot.checking.background_check import verify_apart
-from kitrobot.checking.verification import RUN_S, VerificationOptions
+from kitrobot.checking.verification import VerificationOptions
+from kitrobot.mission.model import DEFAULT_RUN_S
 from kitrobot.server.routes.websocket_jobs import WebSocketJob
 from kitrobot.text.sentences import Sentence
 from kitrobot.verifier.model.table_builder import KINDS
@@ -30,7 +31,7 @@ class _Verification(WebSocketJob):
     busy = Sentence("this studio is at a check already")
 
     def work(self, request: VerifyStartRequest) -> VerifyEndMessage:
-        prepared = self.open(request).prepare(RunOptions(request.seed, RUN_S))
+        prepared = self.open(request).prepare(RunOptions(request.seed, DEFAULT_RUN_S))
         tick_ms = prepared.simulation.tick_ms
         kinds = tuple(kind for kind in KINDS if kind.value in request.kinds)
         options = VerificationOptions(
