@@ -12,7 +12,8 @@ import { listen } from "../../ui/effects";
 import { type MenuEntry, menuItem } from "../../ui/menu-model";
 import { MenuButton } from "../../ui/MenuButton";
 import { dismissOffer, type Offer, useOffers } from "./pupil-offers";
-import { goAway, keepClass, letEdit, putHand, useClassroom } from "./pupil-sync";
+import { useClassroom } from "./classroom";
+import { goAway, keepClass, letEdit, putHand } from "./pupil-sync";
 
 const WORDS: Record<Offer["kind"], (words: string) => string> = {
   handed: (name) => t("class.sent", { name }),

@@ -1,6 +1,6 @@
 /** What a pupil's page remembers of what it handed in: under which name and revision the class keeps each mission. */
 import { pupilName } from "../../api/token";
-import { parseStored } from "../../ui/browser-storage";
+import { parseStored, readStored, writeStored } from "../../ui/browser-storage";
 
 export interface Place {
   name: string;
@@ -87,3 +87,19 @@ export function placeFor(memory: Memory, shown: string, fresh: boolean): Place {
 
 /** Where it is stored in this browser: of another pupil at this computer nothing is used. */
 export const storageName = () => `kitrobot.class.kept.${pupilName()}`;
+
+/** What is remembered of this pupil, in the page and in the browser's storage. */
+export class StoredMemory {
+  value: Memory = readMemory(null);
+
+  /** Reads what an earlier page stored. */
+  recall(): void {
+    this.value = readMemory(readStored(storageName()));
+  }
+
+  keep(change: Partial<Memory>): void {
+    this.value = { ...this.value, ...change };
+    // Where storage is full or denied, the work is in the page, and with the class once it answers.
+    writeStored(storageName(), JSON.stringify(this.value));
+  }
+}

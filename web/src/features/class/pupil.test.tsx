@@ -16,7 +16,7 @@ import { type ClassWire, holdClassWire } from "../../testing/class-wire";
 import { type Hands, handsOn } from "../../testing/hands";
 import { mount, type Mounted } from "../../testing/hooks";
 import { PupilBar, PupilKept } from "./Pupil";
-import { useClassroom } from "./pupil-sync";
+import { useClassroom } from "./classroom";
 
 await moreWords();
 
