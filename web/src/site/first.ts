@@ -10,6 +10,7 @@ import { useDocument } from "../session/document";
 import { earlyWorkOn, hasEarlyWork, keepEarlyWork } from "../session/early-work";
 import { drawAhead } from "../session/opening";
 import { readStored, writeStored } from "../ui/browser-storage";
+import { whenIdle } from "../ui/idle";
 
 /** Stands in the browser once something else was done. */
 const OVER = "kitrobot.begun";
@@ -47,15 +48,8 @@ export async function drawFirst(base: string): Promise<boolean> {
   return true;
 }
 
-/** So long Python waits at most for a page that draws, in ms. */
-const DRAWING_MS = 3000;
-
 /** Resolves when the page has drawn the first mission, which needs the processor alone, or at once if there is none to draw. */
 export async function untilDrawn(first: Promise<boolean>): Promise<void> {
   if (!(await first)) return;
-  await new Promise<void>((resolve) => {
-    // Safari has no such call.
-    if ("requestIdleCallback" in window) requestIdleCallback(() => resolve(), { timeout: DRAWING_MS });
-    else setTimeout(resolve);
-  });
+  await new Promise<void>(whenIdle);
 }

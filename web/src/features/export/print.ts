@@ -2,10 +2,11 @@
  * Printing, however it is asked for: by our menu, by Ctrl+P, or by the browser's own menu.
  *
  * The sheet is made when the browser is about to print, and gone afterwards; until its part of the page is fetched, which
- * begins with the first key or click, there is nothing to print but what is seen.
+ * begins after the first key or click, there is nothing to print but what is seen.
  */
 import { moreWords, t } from "../../i18n/words";
 import { reportError } from "../../session/document";
+import { whenIdle } from "../../ui/idle";
 
 const fetchSheet = once(async () => {
   const [sheet] = await Promise.all([import("./sheet/sheet"), moreWords()]);
@@ -31,7 +32,7 @@ export function printSheet(): void {
 }
 
 /**
- * Fetches the sheet at the first key or click: the browser's own printing leaves no time for it. The returned function ends
+ * Fetches the sheet after the first key or click: the browser's own printing leaves no time for it. The returned function ends
  * the waiting.
  */
 export function preparePrinting(): () => void {
@@ -41,7 +42,8 @@ export function preparePrinting(): () => void {
   };
   const quietly = () => {
     end();
-    void fetchSheet().catch(() => undefined);
+    // What was clicked comes first.
+    whenIdle(() => void fetchSheet().catch(() => undefined));
   };
   for (const sign of signs) window.addEventListener(sign, quietly, true);
   return end;

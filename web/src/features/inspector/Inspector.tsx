@@ -20,8 +20,9 @@ export function Inspector() {
   const selection = useStudio((state) => state.selection);
   const [id] = selection;
   useEffect(() => {
-    // What scrolls is around it: another part begins at its top.
-    document.querySelector(".side-inspector")?.scrollTo({ top: 0 });
+    // What scrolls is around it: another part begins at its top. In the next frame the browser lays out the page anyway.
+    const frame = requestAnimationFrame(() => document.querySelector(".side-inspector")?.scrollTo({ top: 0 }));
+    return () => cancelAnimationFrame(frame);
   }, [id, drawing?.program.name]);
   if (drawing === null || id === undefined) return <Nothing />;
   if (selection.length > 1) return <Many count={selection.length} />;
