@@ -38,7 +38,8 @@ const isDrawn = () => useDocument.getState().ahead;
 
 test("is drawn in a browser in which nothing was done yet, also when the page is loaded again", async () => {
   expect(await drawFirst(BASE)).toBe(true);
-  expect(asked).toHaveBeenCalledWith(new URL("http://localhost/school/first/en.json"));
+  const address = new URL("http://localhost/school/first/en.json");
+  expect(asked).toHaveBeenCalledWith(address, { signal: expect.any(AbortSignal) as AbortSignal });
   expect(isDrawn()).toBe(true);
   expect(useStudio.getState().file.path).toBe("example:a.krt");
   useDocument.setState({ ready: false, ahead: false });
@@ -97,6 +98,13 @@ test("is not drawn over what is open already", async () => {
 
 test("a site without it waits for Python", async () => {
   asked.mockResolvedValueOnce(new Response(null, { status: 404 }));
+  expect(await drawFirst(BASE)).toBe(false);
+  expect(isDrawn()).toBe(false);
+});
+
+test("a site whose server sends it too slowly waits for Python, too", async () => {
+  vi.spyOn(AbortSignal, "timeout").mockReturnValueOnce(AbortSignal.abort());
+  vi.stubGlobal("fetch", (_: URL, { signal }: { signal: AbortSignal }) => Promise.reject(signal.reason as Error));
   expect(await drawFirst(BASE)).toBe(false);
   expect(isDrawn()).toBe(false);
 });

@@ -14,6 +14,8 @@ import { whenIdle } from "../ui/idle";
 
 /** Stands in the browser once something else was done. */
 const OVER = "kitrobot.begun";
+/** A page waits at most so long for its first mission before it is drawn without it, in ms. */
+const BLANK_MS = 4000;
 
 function rememberOver(): void {
   // Early work is on the first mission: until Python has it, that one comes back.
@@ -39,7 +41,9 @@ export async function drawFirst(base: string): Promise<boolean> {
     rememberOver();
     end();
   });
-  const response = await fetch(new URL(`first/${languageInUse()}.json`, base)).catch(() => null);
+  const address = new URL(`first/${languageInUse()}.json`, base);
+  // The page is blank until then.
+  const response = await fetch(address, { signal: AbortSignal.timeout(BLANK_MS) }).catch(() => null);
   if (!response?.ok) return false;
   const file = (await response.json()) as MissionFile;
   path = file.path;
