@@ -101,6 +101,15 @@ def python_speaks_the_language_that_is_chosen(studio: Studio) -> None:
     expect(studio.page.locator(".problem").first).to_contain_text("no tiene")
 
 
+def an_exercise_comes_by_its_link_and_is_handed_in_as_a_file(studio: Studio) -> None:
+    studio.page.evaluate("location.hash = 'exercise=example:exercises/03-square.exercise.xml'")
+    expect(studio.at("exercise")).to_be_visible()
+    with studio.page.expect_download() as handed:
+        studio.at("exercise-hand-in").click()
+    assert handed.value.suggested_filename == "03-square.krt"
+    expect(studio.at("banner")).to_contain_text("03-square.krt")
+
+
 def test_a_site_opens_a_link_keeps_what_is_saved_and_works_without_its_server(
     server: FileServer, visit: Callable[..., Visit]
 ) -> None:
@@ -120,5 +129,6 @@ def test_a_site_opens_a_link_keeps_what_is_saved_and_works_without_its_server(
     studio.expect_code("WAIT(10);")
     studio.page.evaluate("location.hash = 'mission=AAAA&name=x'")
     expect(studio.at("banner")).to_contain_text("The mission in this link is damaged.")
+    an_exercise_comes_by_its_link_and_is_handed_in_as_a_file(studio)
     python_speaks_the_language_that_is_chosen(studio)
     assert made.warned == []

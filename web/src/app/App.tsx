@@ -7,6 +7,7 @@ import "./chrome.css";
 import "./layout.css";
 import "../ui/menus.css";
 import "./tabs.css";
+import "./features";
 
 import { type CSSProperties, useEffect } from "react";
 
@@ -17,6 +18,7 @@ import { checkAgain, keepChecking } from "../session/checking";
 import { hearOfDisk, watchDisk } from "../session/disk";
 import { useDocument } from "../session/document";
 import { hasEarlyWork } from "../session/early-work";
+import { features } from "../session/features";
 import { flush, isKept, keepJournal } from "../session/journal";
 import { reportJournalFault, sayReturned, sayStranger, sayWhenBack } from "../session/journal-notices";
 import { useLayout } from "../session/layout";
@@ -29,7 +31,6 @@ import { endAll, listen } from "../ui/effects";
 import { fileDrop } from "../ui/file-drop";
 import { Banner } from "./Banner";
 import { begin } from "./startup";
-import { FEATURES } from "./features";
 import { useKeys } from "./keys";
 import { MenuBar } from "./MenuBar";
 import { useMenus } from "./menus";
@@ -69,7 +70,7 @@ function useDocumentFlow(): void {
   useEffect(() => {
     if (!opening && document.activeElement === document.body) useView.getState().viewport?.focus();
   }, [opening]);
-  useEffect(() => endAll(...FEATURES.flatMap(({ start }) => start?.() ?? [])), []);
+  useEffect(() => endAll(...features().flatMap(({ start }) => start?.() ?? [])), []);
   useEffect(() => {
     const ask = (event: BeforeUnloadEvent) => {
       if (useStudio.getState().dirty && !isKept() && !hasEarlyWork()) event.preventDefault();
@@ -132,7 +133,7 @@ function Side() {
 function Sheet() {
   const overlay = useDocument((document) => document.overlay);
   if (overlay === null) return null;
-  return FEATURES.map(({ name, sheets }) => {
+  return features().map(({ name, sheets }) => {
     const Open = sheets?.[overlay];
     return Open === undefined ? null : <Open key={name} />;
   });
@@ -159,7 +160,7 @@ function Studio() {
       data-stage={large}
       aria-busy={opening}
       {...fileDrop((files) => {
-        for (const { takeFiles } of FEATURES) takeFiles?.(files);
+        for (const { takeFiles } of features()) takeFiles?.(files);
       })}
     >
       <header className="head rigid relative">
@@ -195,7 +196,7 @@ function Studio() {
             >
               {ready ? <PanelSlot place="graph" /> : null}
             </div>
-            {ready ? FEATURES.map(({ name, tab }) => (tab === undefined ? null : <tab.Panel key={name} />)) : null}
+            {ready ? features().map(({ name, tab }) => (tab === undefined ? null : <tab.Panel key={name} />)) : null}
           </div>
           <Slot name="below" />
           <Dock />
@@ -217,7 +218,7 @@ function Studio() {
 }
 
 export function App() {
-  const Instead = FEATURES.find((feature) => feature.Instead)?.Instead;
+  const Instead = features().find((feature) => feature.Instead)?.Instead;
   if (Instead) return <Instead />;
   return (
     <>
