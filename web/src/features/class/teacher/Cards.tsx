@@ -8,6 +8,9 @@ import { Icon } from "../../../theme";
 import { met, minutes, type Seen, stateWords, walkCards } from "./order";
 import { look, useDesk } from "./store";
 
+/** So many pupils have cards of twice the size, and fit on a screen. */
+const FEW = 8;
+
 export function Boxes({ goals, count }: { goals: Seen["pupil"]["goals"]; count: number }) {
   if (count === 0) return null;
   return (
@@ -105,7 +108,14 @@ export function Cards({ folders, now }: { folders: readonly string[]; now: numbe
 
   if (folders.length === 0) return <p className="class-nobody muted text-centre">{t("teacher.nobody")}</p>;
   return (
-    <div className="class-cards gap-xl" role="group" aria-label={t("teacher.cards")} ref={grid} onKeyDown={onKeyDown}>
+    <div
+      className="class-cards gap-xl"
+      role="group"
+      aria-label={t("teacher.cards")}
+      data-few={seen.size <= FEW}
+      ref={grid}
+      onKeyDown={onKeyDown}
+    >
       {folders.map((folder) => {
         const one = seen.get(folder);
         return one === undefined ? null : (
