@@ -156,6 +156,7 @@ export const CLASS_EN = {
   "teacher.comment-kept": "Kept. {name} sees it beside the exercise.",
   "teacher.comment-gone": "The comment is taken back.",
   "teacher.mark": "Graded: {points} of {of} points",
+  "teacher.mark-none": "A goal that is met from the beginning counts only together with another one.",
   "teacher.written": "Sent.",
   "teacher.kept": { one: "All work kept {count} s ago", other: "All work kept {count} s ago" },
   "teacher.kept-long": { one: "Last work came {count} min ago", other: "Last work came {count} min ago" },

@@ -38,6 +38,11 @@ it.each([
   expect(useDesk.getState().said?.words).toBe(said);
 });
 
+it("no points are explained, since a goal may be met all the same", () => {
+  page = mount(<Comment folder="Ada" name="Ada" exercise="x" mark={{ ...MARK, points: 0 }} />);
+  expect(handsOn(page).find("look-mark").textContent).toContain("counts only together with another one");
+});
+
 it("before grading there is no mark to show", () => {
   page = mount(<Comment folder="Ada" name="Ada" exercise="x" mark={null} />);
   expect(handsOn(page).has("look-mark")).toBe(false);

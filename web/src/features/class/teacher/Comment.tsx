@@ -31,6 +31,7 @@ export function Comment({ folder, name, exercise, mark }: CommentProps) {
       {mark?.points == null ? null : (
         <p className="class-muted muted small-text" data-testid="look-mark">
           {t("teacher.mark", { points: mark.points, of: mark.of })}
+          {mark.points === 0 ? <>. {t("teacher.mark-none")}</> : null}
         </p>
       )}
       <input
