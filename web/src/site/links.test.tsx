@@ -22,7 +22,7 @@ let menu: Mounted & { value: () => MenuEntry[] };
 beforeEach(() => {
   useStudio.getState().openMission({ ...fileOf(missionOf(CARRIER)), path: START, name: "square.krt" });
   useDocument.setState({ ready: true, banner: null });
-  vi.spyOn(api, "missionText").mockResolvedValue({ text: "<kitrobot/>" } as never);
+  vi.spyOn(api, "missionText").mockResolvedValue({ text: "<kitrobot/>" });
   menu = renderHook(() => links.useMenu?.().download ?? []);
 });
 afterEach(() => {
