@@ -123,7 +123,7 @@ def test_the_teachers_page_of_a_class(browser: Browser, tmp_path: Path, pictures
             expect(nodes).to_have_count(len(parts))
         pupil.get_by_test_id("class-hand").click()
         expect(teacher.get_by_test_id("card-Chloé")).to_have_attribute("data-state", "asks")
-        teacher.set_viewport_size({"width": 1200, "height": 520})
+        teacher.set_viewport_size({"width": 1200, "height": 540})
         take(teacher, pictures / "class.png")
     finally:
         school.close()
