@@ -10,7 +10,7 @@ import typer
 
 from kitrobot.cli.output import print_message
 from kitrobot.text.sentences import Sentence
-from kitrobot.trace.ros.keys import MOST_DOMAIN
+from kitrobot.trace.ros.keys import MOST_DOMAIN, STOP_TOPIC
 
 if TYPE_CHECKING:
     from kitrobot.live.ros_bridge import RosBridge, RosNetwork
@@ -42,7 +42,7 @@ RosRouter = Annotated[
     ),
 ]
 
-STOPPED_BY_ROS: Final = Sentence("Stopped by a message on `{topic}`.", "/kitrobot/stop")
+STOPPED_BY_ROS: Final = Sentence("Stopped by a message on `{topic}`.", STOP_TOPIC)
 
 
 def ros_network(domain: int | None, listen: str | None, router: str | None) -> RosNetwork | None:

@@ -22,7 +22,7 @@ from kitrobot.judges.record_cases import (
     RecordedSpan,
     UndecidedCase,
 )
-from kitrobot.mission.model import DEFAULT_RUN_S
+from kitrobot.mission.model import DEFAULT_RUN_S, DEFAULT_SEED
 from kitrobot.mission.property_text import PropertyText, read_question
 from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import Sentence
@@ -196,7 +196,7 @@ class RecordMonitor:
 
     def _simulation(self) -> Simulation:
         """A run of the mission, of which the ready properties are asked that fit it."""
-        return self._mission.prepare(RunOptions(1, DEFAULT_RUN_S)).simulation
+        return self._mission.prepare(RunOptions(DEFAULT_SEED, DEFAULT_RUN_S)).simulation
 
     def _asked(self, text: PropertyText) -> ConditionCase:
         assert text.asked is not None

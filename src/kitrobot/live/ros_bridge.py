@@ -21,7 +21,7 @@ from kitrobot.sim.recorder import DOING, Recorder
 from kitrobot.sim.simulation import Simulation
 from kitrobot.text.sentences import Sentence
 from kitrobot.trace.model import POSE_WORDS
-from kitrobot.trace.ros.keys import RosNode, encode_attachment, sender_id
+from kitrobot.trace.ros.keys import STOP_TOPIC, RosNode, encode_attachment, sender_id
 from kitrobot.trace.ros.messages import (
     ERROR,
     OK,
@@ -36,7 +36,6 @@ from kitrobot.trace.ros.messages import (
 )
 from kitrobot.trace.ros.topics import robot_parts
 
-STOP_TOPIC: Final = "/kitrobot/stop"
 LOCAL_ENDPOINT: Final = "tcp/127.0.0.1:7447"
 """Where the nodes of a machine look for their router."""
 

@@ -210,11 +210,6 @@ class Actuator(Device):
         return cls.procedures.index(method.name)
 
     @classmethod
-    def is_driving(cls, k: int, state: State) -> bool:
-        """Whether actuator k, one that drives its robot, was told to move it last."""
-        return False
-
-    @classmethod
     def commanded_motion(cls, k: int, state: State) -> tuple[float, float]:
         """How actuator k, one that drives its robot, was told to move it last: mm/s forward, rad/s to the left."""
         return 0.0, 0.0

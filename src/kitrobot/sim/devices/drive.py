@@ -60,10 +60,6 @@ class Drive(Actuator):
     )
 
     @classmethod
-    def is_driving(cls, k: int, state: State) -> bool:
-        return bool(state.robots.floats[TARGET][state.actuators.ints[A_ROBOT][k]])
-
-    @classmethod
     def commanded_motion(cls, k: int, state: State) -> tuple[float, float]:
         return state.robots.floats[TARGET][state.actuators.ints[A_ROBOT][k]], 0.0
 

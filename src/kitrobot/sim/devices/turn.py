@@ -40,10 +40,6 @@ class Turn(Actuator):
     )
 
     @classmethod
-    def is_driving(cls, k: int, state: State) -> bool:
-        return bool(state.actuators.floats[RATE][k])
-
-    @classmethod
     def commanded_motion(cls, k: int, state: State) -> tuple[float, float]:
         return 0.0, state.actuators.floats[RATE][k]
 

@@ -58,10 +58,6 @@ class Wheel(Actuator):
     )
 
     @classmethod
-    def is_driving(cls, k: int, state: State) -> bool:
-        return bool(state.actuators.floats[WHEEL_TARGET][k])
-
-    @classmethod
     def commanded_motion(cls, k: int, state: State) -> tuple[float, float]:
         speed, track = (state.actuators.floats[column][k] for column in (WHEEL_TARGET, TRACK))
         return speed / 2.0, speed / track

@@ -155,8 +155,7 @@ class Agent:
     @property
     def is_driving(self) -> bool:
         """Whether its motors were told to turn last; its program may have ended."""
-        state = self.state
-        return any(KINDS[state.actuators.ints[A_KIND][k]].is_driving(k, state) for k in self._actuators)
+        return any(map(any, self._commanded_motions()))
 
     @property
     def commanded_motion(self) -> tuple[float, float]:
@@ -164,11 +163,14 @@ class Agent:
 
         A distance is driven at the speed that each step has; a road turns whoever follows it by itself.
         """
-        state = self.state
         if self.down == FAILED:
             return 0.0, 0.0
-        motions = [KINDS[state.actuators.ints[A_KIND][k]].commanded_motion(k, state) for k in self._actuators]
+        motions = self._commanded_motions()
         return float(sum(speed for speed, _ in motions)), float(sum(rate for _, rate in motions))
+
+    def _commanded_motions(self) -> list[tuple[float, float]]:
+        state = self.state
+        return [KINDS[state.actuators.ints[A_KIND][k]].commanded_motion(k, state) for k in self._actuators]
 
     @property
     def motion(self) -> tuple[float, float]:

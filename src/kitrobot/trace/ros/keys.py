@@ -27,6 +27,9 @@ TYPE_HASHES: Final = {
 MOST_DOMAIN: Final = 232
 """ROS 2 knows the domains from 0 to this one."""
 
+STOP_TOPIC: Final = "/kitrobot/stop"
+"""A message on it asks a run to end."""
+
 _QOS: Final = "::,10:,:,:,,"
 _ATTACHMENT: Final = struct.Struct("<qqB16s")
 

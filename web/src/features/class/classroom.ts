@@ -12,12 +12,12 @@ interface ClassConnection {
 }
 
 /** Whether everything here is in the teacher's folder: `here` waits for the class to answer. */
-type Kept = "yes" | "waits" | "here" | "refused";
+type HandInState = "yes" | "waits" | "here" | "refused";
 
 interface Classroom {
   news: PupilNewsMessage | null;
   connected: boolean;
-  kept: Kept;
+  kept: HandInState;
   problem: string;
   /** The hand as it was put here, until the class says so too; null when nothing is on its way. */
   hand: boolean | null;
@@ -49,7 +49,7 @@ export function loseConnection(): void {
   set(({ kept }) => ({ connected: false, kept: kept === "waits" ? "here" : kept }));
 }
 
-export function setKept(kept: Kept, problem?: string): void {
+export function setKept(kept: HandInState, problem?: string): void {
   set(problem === undefined ? { kept } : { kept, problem });
 }
 

@@ -16,7 +16,7 @@ const QUIET_MS = 1200;
 const LONGEST_MS = 5000;
 const AGAIN_MS = 4000;
 
-interface Ends {
+interface QueueCallbacks {
   /** Everything is with the class. */
   emptied: () => void;
   /** The class does not take anything from this page. */
@@ -33,11 +33,11 @@ export class HandInQueue {
   /** The pupil pressed Hand in: it is said when it is done. */
   #pressed = false;
   readonly #memory: StoredMemory;
-  readonly #ends: Ends;
+  readonly #callbacks: QueueCallbacks;
 
-  constructor(memory: StoredMemory, ends: Ends) {
+  constructor(memory: StoredMemory, callbacks: QueueCallbacks) {
     this.#memory = memory;
-    this.#ends = ends;
+    this.#callbacks = callbacks;
   }
 
   get isEmpty(): boolean {
@@ -111,7 +111,7 @@ export class HandInQueue {
       this.#later(QUIET_MS);
       return;
     }
-    this.#ends.emptied();
+    this.#callbacks.emptied();
     if (!this.#pressed) return;
     this.#pressed = false;
     const of = useClassroom.getState().news?.class_name ?? "";
@@ -121,7 +121,7 @@ export class HandInQueue {
   #failed(mine: Waiting, cause: unknown): void {
     this.#memory.keep({ waiting: mine });
     const status = cause instanceof ApiError ? cause.status : 0;
-    if (status === 403) this.#ends.forbidden();
+    if (status === 403) this.#callbacks.forbidden();
     const refused = status >= 400 && status < 500 && status !== 403 && status !== 429;
     setKept(refused ? "refused" : "here", cause instanceof Error ? cause.message : "");
     if (this.#pressed && !refused) note(t("class.kept-here"), t("class.kept-here-help"));
